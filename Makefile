@@ -423,6 +423,10 @@ test-map: ## the three test programs that run most of each source of core/ and s
 	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/walk SAN= WALK=1 CFLAGS="-O0 --coverage" isas=scalar unit-tests
 	@ZRASTER_DATA="$(DATA)" tests/make/map.sh $(BUILD)/walk $(BUILD)/test-map.md $(unit_tests:$(BUILD)/%=%)
 
+.PHONY: functions
+functions: ## prints the lines of core/ and server/, of their functions, and the functions with six parameters or more; ARGS=--list: all of them
+	@python3 tests/make/functions.py $(ARGS)
+
 .PHONY: systems
 systems: ## make demo and make test in bare roots of Debian 12, 13 and testing (root); SYSTEMS=13, KEEP=1: tests/systems/run.sh
 	@.ci/need $(NEED_SYSTEMS)

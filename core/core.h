@@ -20,6 +20,7 @@
 #include "base/arena.h"
 #include "base/array.h"
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/status.h"
 #include "base/team.h"
 #include "version.h"
@@ -154,16 +155,15 @@ struct zr_answer {
  * NULL (one thread). On failure, with any status, *error lists the faults and their places, and *scene is unchanged.
  * Scene and error are the same for every team. If cancelled, returns soon; indivisible parts of OBJ and STL files, such
  * as a line of megabytes, are read to their end first. */
-enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                             const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error);
+enum zr_status zr_scene_read(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
+                             const struct zr_scene **scene);
 
 /* Resolves the scene's view into a camera. A view or depth range that is fitted to the geometry takes some walks over
  * the points of all instances. `team` may be NULL (one thread) and `cancel` may be NULL (never).
  * Errors: ZR_BAD_SCENE, explained by *error. ZR_NO_MEMORY, with *resolved NULL, and ZR_CANCELLED, with an incomplete
  *         *resolved, add nothing to *error. */
-enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                     const struct zr_cancel *cancel, const struct zr_resolved_view **resolved,
-                                     struct zr_error *error);
+enum zr_status zr_resolved_view_find(const struct zr_run *run, const struct zr_scene *scene,
+                                     const struct zr_resolved_view **resolved);
 
 /* Predicts the cost of rendering and encoding (cost.h). Takes at most a millisecond or two, plus a walk over all
  * instances. */
@@ -172,23 +172,20 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
 /* Renders a frame. If `resolved` is NULL, the view is resolved first. `team` may be NULL (one thread) and `cancel` may
  * be NULL (never). The frame is the same, byte for byte, for every team. Fails with ZR_BAD_SCENE, ZR_NO_MEMORY,
  * ZR_CANCELLED or ZR_INTERNAL, explained by *error; *frame is then undefined. */
-enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
-                         const struct zr_frame **frame, struct zr_error *error);
+enum zr_status zr_render(const struct zr_run *run, const struct zr_scene *scene,
+                         const struct zr_resolved_view *resolved, const struct zr_frame **frame);
 
 /* The same with two arenas: the frame lives in `arena`, and `scratch` holds data of drawing alone, such as the sorted
  * scene, shadow maps and G-buffers. The caller may reset `scratch` as soon as the function returns. */
-enum zr_status zr_render_apart(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                               const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                               const struct zr_cancel *cancel, const struct zr_frame **frame, struct zr_error *error);
+enum zr_status zr_render_apart(const struct zr_run *run, const struct zr_scene *scene,
+                               const struct zr_resolved_view *resolved, const struct zr_frame **frame);
 
 /* Encodes the outputs of the frame's view: a single output as its file, several as a ZIP of files channel.extension.
  * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/images/idat.h);
  * those of JPEG and WebP depend on the version of a library. Fails with ZR_BAD_SCENE if a strict request has warnings,
  * if a file has more than its max_bytes, or if a ZIP would have 4 GiB or more; with ZR_NO_MEMORY, ZR_CANCELLED or
  * ZR_INTERNAL. *error explains each; *answer is then undefined. */
-enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
-                         struct zr_error *error);
+enum zr_status zr_encode(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame,
+                         struct zr_answer *answer);
 
 #endif

@@ -6,6 +6,7 @@
 #include "api/picture.h"
 #include "api/request.h"
 #include "api/scene.h"
+#include "base/run.h"
 #include "views/views.h"
 
 /* A call that makes a scene in scratch memory and draws it. */
@@ -20,10 +21,10 @@ struct drawing {
 static enum zr_status read(const struct drawing *d, const struct zr_request *request, struct zr_views *views,
                            struct zr_error *error)
 {
-    struct zr_team *team = zr_renderer_team(d->renderer);
+    const struct zr_run run = {.arena = d->arena, .team = zr_renderer_team(d->renderer), .error = error};
     *views = (struct zr_views){.set = NULL};
-    return d->kept ? zr_scene_change(d->arena, team, d->kept, request, &views->scene, error)
-                   : zr_views_read(d->arena, team, request, &d->renderer->limits, views, error);
+    return d->kept ? zr_scene_change(&run, d->kept, request, &views->scene)
+                   : zr_views_read(&run, request, &d->renderer->limits, views);
 }
 
 static enum zr_status make(const struct drawing *d, struct zr_views *views, zraster_cancel *cancel,

@@ -5,6 +5,7 @@
 #include "api/error.h"
 #include "api/renderer.h"
 #include "api/request.h"
+#include "base/run.h"
 #include "views/views.h"
 
 enum { NAME_SIZE = 160 };
@@ -40,21 +41,21 @@ static enum zr_status hand_on(void *context, const struct zr_drawn_view *view, s
 static enum zr_status draw_all(zraster *renderer, struct zr_arena *arena, const struct zraster_request *request,
                                struct taking *taking, struct zr_error *error)
 {
-    struct zr_team *team = zr_renderer_team(renderer);
+    struct zr_run run = {.arena = arena, .team = zr_renderer_team(renderer), .error = error};
     struct zr_taken_request taken;
     struct zr_views views = {.set = NULL};
     enum zr_status status = zr_request_take(arena, request, false, &taken, error);
-    if (status == ZR_OK) status = zr_views_read(arena, team, &taken.request, &renderer->limits, &views, error);
+    if (status == ZR_OK) status = zr_views_read(&run, &taken.request, &renderer->limits, &views);
     if (status != ZR_OK) return status;
     if (!views.set) return zr_error_add(error, ZR_BAD_SCENE, NULL, "one view; give views, turntable, orbit or animate");
     if (views.scene->sheet.is_on)
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet", "one picture of all views, which are not drawn one by one");
-    const struct zr_cancel *cancel = zr_cancel_flag(taken.cancel);
-    status = zr_views_plan(arena, team, &views, cancel, error);
+    run.cancel = zr_cancel_flag(taken.cancel);
+    status = zr_views_plan(&run, &views);
     if (status != ZR_OK) return status;
     taking->count = views.set->count;
     taking->arena = arena;
-    return zr_views_draw_each(arena, team, &views, cancel, (struct zr_views_taker){hand_on, taking}, error);
+    return zr_views_draw_each(&run, &views, (struct zr_views_taker){hand_on, taking});
 }
 
 zraster_status zraster_draw_views(zraster *renderer, const struct zraster_request *request, zraster_take_view take,

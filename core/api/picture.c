@@ -5,6 +5,7 @@
 
 #include "api/cancel.h"
 #include "api/error.h"
+#include "base/run.h"
 #include "scene/looks.h"
 #include "scene/output.h"
 #include "scene/validate.h"
@@ -24,13 +25,20 @@ static bool keep_results(zraster_picture *picture, const struct zr_scene *scene,
     return zr_arena_ok(arena);
 }
 
+/* Returns the run of steps whose results go to `arena`. */
+static struct zr_run run_of(const zraster_picture *picture, struct zr_arena *arena, struct zr_arena *scratch,
+                            struct zr_error *error)
+{
+    return (struct zr_run){arena, scratch, zr_renderer_team(picture->renderer), zr_cancel_flag(picture->cancel), error};
+}
+
 static enum zr_status draw(zraster_picture *picture, const struct zr_scene *scene, struct zr_error *error)
 {
     const struct zr_frame *frame;
     struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH);
     if (!scratch) return ZR_NO_MEMORY;
-    enum zr_status status = zr_render_apart(picture->arena, scratch, zr_renderer_team(picture->renderer), scene, NULL,
-                                            zr_cancel_flag(picture->cancel), &frame, error);
+    const struct zr_run run = run_of(picture, picture->arena, scratch, error);
+    enum zr_status status = zr_render_apart(&run, scene, NULL, &frame);
     if (status == ZR_OK && !keep_results(picture, scene, frame)) status = ZR_NO_MEMORY;
     zr_renderer_give(picture->renderer, scratch, ZR_ARENA_SCRATCH);
     if (status == ZR_OK) status = zr_strict_check(scene, picture->warnings.texts, picture->warnings.count, error);
@@ -68,12 +76,11 @@ enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, 
 
 static enum zr_status draw_views(zraster_picture *picture, struct zr_views *views, struct zr_error *error)
 {
-    struct zr_team *team = zr_renderer_team(picture->renderer);
+    const struct zr_run run = run_of(picture, picture->arena, NULL, error);
     struct zr_look_pin *pin = zr_arena_alloc(picture->arena, 1, sizeof *pin);
-    const struct zr_cancel *cancel = zr_cancel_flag(picture->cancel);
     struct zr_files files;
-    enum zr_status status = pin ? zr_views_plan(picture->arena, team, views, cancel, error) : ZR_NO_MEMORY;
-    if (status == ZR_OK) status = zr_views_draw(picture->arena, team, views, cancel, &files, error);
+    enum zr_status status = pin ? zr_views_plan(&run, views) : ZR_NO_MEMORY;
+    if (status == ZR_OK) status = zr_views_draw(&run, views, &files);
     if (status != ZR_OK) return status;
     *pin = zr_look_pin_of(views->scene->look);
     picture->look = pin->text;
@@ -177,9 +184,8 @@ static enum zr_status encode(zraster_picture *picture, struct zr_error *error)
     struct zr_files files;
     struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH);
     if (!scratch) return ZR_NO_MEMORY;
-    enum zr_status status =
-        zr_encode_files(scratch, zr_renderer_team(picture->renderer), &remains->scene, &remains->frame,
-                        &remains->warnings, zr_cancel_flag(picture->cancel), &files, error);
+    const struct zr_run run = run_of(picture, scratch, NULL, error);
+    enum zr_status status = zr_encode_files(&run, &remains->scene, &remains->frame, &remains->warnings, &files);
     if (status == ZR_OK) status = keep_files(picture, &files);
     zr_renderer_give(picture->renderer, scratch, ZR_ARENA_SCRATCH);
     return status;

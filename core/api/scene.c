@@ -4,15 +4,15 @@
 
 #include "api/error.h"
 #include "api/request.h"
+#include "base/run.h"
 
 static enum zr_status read_into(zraster_scene *scene, const struct zraster_request *given, struct zr_error *error)
 {
+    const struct zr_run run = {.arena = scene->arena, .team = zr_renderer_team(scene->renderer), .error = error};
     struct zr_taken_request taken;
     struct zr_kept *kept = NULL;
     enum zr_status status = zr_request_take(scene->arena, given, true, &taken, error);
-    if (status == ZR_OK)
-        status = zr_scene_keep(scene->arena, zr_renderer_team(scene->renderer), &taken.request,
-                               &scene->renderer->limits, &kept, error);
+    if (status == ZR_OK) status = zr_scene_keep(&run, &taken.request, &scene->renderer->limits, &kept);
     scene->kept = kept;
     return status;
 }

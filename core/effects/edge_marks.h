@@ -11,6 +11,7 @@
 #include "base/arena.h"
 #include "base/cancel.h"
 #include "base/isa.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "raster/tile.h"
 #include "shade/draw_attributes.h"
@@ -107,12 +108,10 @@ struct zr_edge_marks {
 /* edge_specks.c. Drops connected creases whose box is smaller than speck_pixels. Works on whole pixels, however many of
  * their samples are marked, since the marks of a crease at a grazing angle are an interrupted line. Touching corners
  * connect. Returns false if the arena failed; if cancelled, returns early. */
-bool zr_edge_specks_drop(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
-                         const struct zr_cancel *cancel);
+bool zr_edge_specks_drop(const struct zr_run *run, struct zr_edge_marks *marks);
 
 /* edge_width.c: widens the marks and writes the opacity of each pixel. Returns false if the arena failed; if cancelled,
  * returns early. */
-bool zr_edge_width_cover(const struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
-                         const struct zr_cancel *cancel, float *opacity);
+bool zr_edge_width_cover(const struct zr_run *run, const struct zr_edge_marks *marks, float *opacity);
 
 #endif

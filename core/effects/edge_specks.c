@@ -1,5 +1,6 @@
 /* Finds connected components as runs of marked pixels in rows, joined by union-find. Bands of rows are joined
  * separately, then across their borders; components and boxes do not depend on the order. */
+#include "base/run.h"
 #include "effects/edge_marks.h"
 
 enum { BAND = 16 }; /* rows of pixels per task */
@@ -200,20 +201,19 @@ static void clear_specks(void *context, size_t begin, size_t end)
             if (is_speck(specks, i)) clear_run(specks->marks, y, &specks->runs[i]);
 }
 
-bool zr_edge_specks_drop(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
-                         const struct zr_cancel *cancel)
+bool zr_edge_specks_drop(const struct zr_run *run, struct zr_edge_marks *marks)
 {
-    struct specks specks = {.marks = marks, .cancel = cancel};
-    specks.row_begin = zr_arena_alloc(arena, (size_t)marks->height + 1, sizeof *specks.row_begin);
+    struct specks specks = {.marks = marks, .cancel = run->cancel};
+    specks.row_begin = zr_arena_alloc(run->arena, (size_t)marks->height + 1, sizeof *specks.row_begin);
     if (!specks.row_begin) return false;
-    zr_team_ranges(team, bands_of(marks), 1, count_runs, &specks);
-    if (zr_is_cancelled(cancel)) return true; /* counts are incomplete */
-    specks.runs = zr_arena_alloc(arena, add_up(specks.row_begin, marks->height), sizeof *specks.runs);
+    zr_team_ranges(run->team, bands_of(marks), 1, count_runs, &specks);
+    if (zr_is_cancelled(run->cancel)) return true; /* counts are incomplete */
+    specks.runs = zr_arena_alloc(run->arena, add_up(specks.row_begin, marks->height), sizeof *specks.runs);
     if (!specks.runs) return false;
-    zr_team_ranges(team, bands_of(marks), 1, join_band, &specks);
-    if (zr_is_cancelled(cancel)) return true;
+    zr_team_ranges(run->team, bands_of(marks), 1, join_band, &specks);
+    if (zr_is_cancelled(run->cancel)) return true;
     for (size_t y = BAND; y < marks->height; y += BAND)
         join_rows(&specks, y);
-    zr_team_ranges(team, bands_of(marks), 1, clear_specks, &specks);
+    zr_team_ranges(run->team, bands_of(marks), 1, clear_specks, &specks);
     return true;
 }

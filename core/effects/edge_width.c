@@ -1,6 +1,7 @@
 /* Marks are widened by a disc, word by word. A row grows sideways in steps, from the disc's top to its middle. At each
  * height of the disc, the row is added to the rows at that distance above and below. Then samples are counted per
  * pixel, for all pixels of a word at once. */
+#include "base/run.h"
 #include "effects/edge_marks.h"
 
 enum { CHUNK = 64 }; /* least rows of samples per task */
@@ -211,17 +212,16 @@ static bool make_rooms(struct width *width, struct zr_arena *arena, size_t worke
     return zr_arena_ok(arena);
 }
 
-bool zr_edge_width_cover(const struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
-                         const struct zr_cancel *cancel, float *opacity)
+bool zr_edge_width_cover(const struct zr_run *run, const struct zr_edge_marks *marks, float *opacity)
 {
-    struct width width = {.marks = marks, .cancel = cancel, .opacity = opacity};
-    if (!make_disc(&width, arena)) return false;
+    struct width width = {.marks = marks, .cancel = run->cancel, .opacity = opacity};
+    if (!make_disc(&width, run->arena)) return false;
     /* Rows beside a chunk are widened again for it; this chunk size keeps them fewer than its own. */
     const uint32_t rows = 2 * width.radius > CHUNK ? 2 * width.radius : CHUNK;
     width.pixel_rows = rows / marks->side < marks->height ? rows / marks->side : marks->height;
     const size_t chunks = (marks->height + width.pixel_rows - 1) / width.pixel_rows;
-    const size_t threads = (size_t)zr_team_size(team);
-    if (!make_rooms(&width, arena, threads < chunks ? threads : chunks)) return false;
-    zr_team_shares(team, marks->height, width.pixel_rows, cover_chunk, &width);
+    const size_t threads = (size_t)zr_team_size(run->team);
+    if (!make_rooms(&width, run->arena, threads < chunks ? threads : chunks)) return false;
+    zr_team_shares(run->team, marks->height, width.pixel_rows, cover_chunk, &width);
     return true;
 }

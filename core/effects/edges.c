@@ -1,5 +1,6 @@
 #include "effects/edges.h"
 
+#include "base/run.h"
 #include "base/trig.h"
 #include "effects/edge_marks.h"
 
@@ -204,16 +205,14 @@ static void join_tiles(void *context, size_t begin, size_t end)
         join_tile(join, (uint32_t)number);
 }
 
-const float *zr_edges_finish(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
-                             const struct zr_cancel *cancel)
+const float *zr_edges_finish(const struct zr_run *run, struct zr_edge_marks *marks)
 {
     const size_t pixels = (size_t)marks->width * marks->height;
-    float *opacity = zr_arena_alloc(arena, pixels + ZR_EDGE_ROOM, sizeof *opacity);
+    float *opacity = zr_arena_alloc(run->arena, pixels + ZR_EDGE_ROOM, sizeof *opacity);
     if (!opacity) return NULL;
     memset(opacity + pixels, 0, ZR_EDGE_ROOM * sizeof *opacity);
-    struct join join = {marks, zr_edge_pairs_of(zr_team_isa(team)), cancel};
-    zr_team_ranges(team, zr_tile_count(marks->columns, marks->rows), marks->words, join_tiles, &join);
-    if (!zr_edge_specks_drop(marks, arena, team, cancel) || !zr_edge_width_cover(marks, arena, team, cancel, opacity))
-        return NULL;
+    struct join join = {marks, zr_edge_pairs_of(zr_team_isa(run->team)), run->cancel};
+    zr_team_ranges(run->team, zr_tile_count(marks->columns, marks->rows), marks->words, join_tiles, &join);
+    if (!zr_edge_specks_drop(run, marks) || !zr_edge_width_cover(run, marks, opacity)) return NULL;
     return opacity;
 }

@@ -15,6 +15,7 @@
 
 #include "base/arena.h"
 #include "base/isa.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "effects/occlusion.h"
@@ -53,7 +54,6 @@ enum { ZR_EDGE_ROOM = 15 };
  * the ink per pixel, 0..1: silhouette_opacity times the share of samples within width / 2 of a silhouette, plus
  * crease_opacity times the share of other samples within width / 2 of a crease. Row 0 is the lowest; rows have `width`
  * values. Returns NULL if the arena failed; if cancelled, returns early. */
-const float *zr_edges_finish(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
-                             const struct zr_cancel *cancel);
+const float *zr_edges_finish(const struct zr_run *run, struct zr_edge_marks *marks);
 
 #endif

@@ -1,6 +1,7 @@
 #include "effects/eye_dome.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "scene/scene.h"
 
 enum { DIRECTIONS = 8, RINGS = 3 };
@@ -104,21 +105,20 @@ static void blur_rows(void *context, size_t begin, size_t end)
             job->light[(ptrdiff_t)y * job->pixels->stride + x] = blur(job, x, (int32_t)y);
 }
 
-const float *zr_eye_dome_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                              const struct zr_gbuffer *pixels, const struct zr_occlusion *occlusion,
-                              const struct zr_pixel_scale *scale)
+const float *zr_eye_dome_make(const struct zr_run *run, const struct zr_gbuffer *pixels,
+                              const struct zr_occlusion *occlusion, const struct zr_pixel_scale *scale)
 {
     const size_t height = (size_t)pixels->height, size = (size_t)pixels->stride * height;
     struct job job = {.pixels = pixels,
                       .scale = scale,
-                      .cancel = cancel,
+                      .cancel = run->cancel,
                       .strength = occlusion->strength,
                       .step = pixels->height / STEPS_A_HEIGHT > 1 ? pixels->height / STEPS_A_HEIGHT : 1,
-                      .raw = zr_arena_alloc(arena, size, sizeof *job.raw),
-                      .light = zr_arena_alloc(arena, size, sizeof *job.light)};
-    if (!zr_arena_ok(arena)) return NULL;
-    zr_team_ranges(team, height, 4, find_rows, &job);
-    zr_team_ranges(team, height, 8, blur_rows, &job);
+                      .raw = zr_arena_alloc(run->arena, size, sizeof *job.raw),
+                      .light = zr_arena_alloc(run->arena, size, sizeof *job.light)};
+    if (!zr_arena_ok(run->arena)) return NULL;
+    zr_team_ranges(run->team, height, 4, find_rows, &job);
+    zr_team_ranges(run->team, height, 8, blur_rows, &job);
     return job.light;
 }
 
@@ -139,9 +139,9 @@ static void apply_rows(void *context, size_t begin, size_t end)
                 of->color[k][y * of->stride + x] *= of->light[y * (size_t)of->pixels->stride + x];
 }
 
-void zr_eye_dome_apply(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_gbuffer *pixels,
-                       const float *light, float *const color[3], size_t stride)
+void zr_eye_dome_apply(const struct zr_run *run, const struct zr_gbuffer *pixels, const float *light,
+                       float *const color[3], size_t stride)
 {
-    struct applying applying = {pixels, cancel, light, color, stride};
-    zr_team_ranges(team, (size_t)pixels->height, 8, apply_rows, &applying);
+    struct applying applying = {pixels, run->cancel, light, color, stride};
+    zr_team_ranges(run->team, (size_t)pixels->height, 8, apply_rows, &applying);
 }

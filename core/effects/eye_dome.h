@@ -9,6 +9,7 @@
 #define ZR_EYE_DOME_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "effects/occlusion.h"
 
@@ -17,12 +18,11 @@
 bool zr_eye_dome_fits(const struct zr_scene *scene);
 
 /* Computes the factors of all pixels. NULL if the arena failed. If cancelled, returns early with undefined values. */
-const float *zr_eye_dome_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                              const struct zr_gbuffer *pixels, const struct zr_occlusion *occlusion,
-                              const struct zr_pixel_scale *scale);
+const float *zr_eye_dome_make(const struct zr_run *run, const struct zr_gbuffer *pixels,
+                              const struct zr_occlusion *occlusion, const struct zr_pixel_scale *scale);
 
 /* Multiplies colours by the factors. color[k][y * stride + x] is component k of a pixel. Stops early if cancelled. */
-void zr_eye_dome_apply(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_gbuffer *pixels,
-                       const float *light, float *const color[3], size_t stride);
+void zr_eye_dome_apply(const struct zr_run *run, const struct zr_gbuffer *pixels, const float *light,
+                       float *const color[3], size_t stride);
 
 #endif

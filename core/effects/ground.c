@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "base/run.h"
 #include "shade/lights/lamps.h"
 
 enum { SIDE = ZR_GROUND_SIDE, TEXELS = SIDE * SIDE, PASSES = 3 };
@@ -127,20 +128,20 @@ static float share_of_height(const struct part *part, float diagonal, float heig
     return share < 1.0f ? share > 0.12f ? share : 0.12f : 1.0f; /* NaN: 1 */
 }
 
-struct zr_ground zr_ground_make(struct zr_arena *arena, struct zr_team *team, const float *heights, float half_size,
-                                float diagonal, float height)
+struct zr_ground zr_ground_make(const struct zr_run *run, const float *heights, float half_size, float diagonal,
+                                float height)
 {
-    struct blur blur = {.heights = heights, .light = zr_arena_alloc(arena, TEXELS, sizeof *blur.light)};
+    struct blur blur = {.heights = heights, .light = zr_arena_alloc(run->arena, TEXELS, sizeof *blur.light)};
     for (int part = 0; part < PARTS; part++) {
-        blur.columns[part] = zr_arena_alloc(arena, TEXELS, sizeof *blur.columns[part]);
+        blur.columns[part] = zr_arena_alloc(run->arena, TEXELS, sizeof *blur.columns[part]);
         const float share = share_of_height(&parts[part], diagonal, height);
         blur.top[part] = parts[part].height * diagonal * share;
         blur.strength[part] = parts[part].strength * (0.5f + 0.5f * share);
         blur.boxes[part] = make_box(parts[part].blur * diagonal * share, 2.0f * half_size / (float)SIDE);
     }
-    if (!zr_arena_ok(arena)) return (struct zr_ground){half_size, NULL};
-    zr_team_ranges(team, SIDE / STRIP, 1, blur_columns, &blur);
-    zr_team_ranges(team, SIDE / STRIP, 1, blur_rows, &blur);
+    if (!zr_arena_ok(run->arena)) return (struct zr_ground){half_size, NULL};
+    zr_team_ranges(run->team, SIDE / STRIP, 1, blur_columns, &blur);
+    zr_team_ranges(run->team, SIDE / STRIP, 1, blur_rows, &blur);
     return (struct zr_ground){half_size, blur.light};
 }
 

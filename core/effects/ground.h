@@ -12,6 +12,7 @@
 
 #include "base/arena.h"
 #include "base/isa.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "scene/camera/camera.h"
 #include "scene/camera/rays.h"
@@ -29,8 +30,8 @@ struct zr_ground {
 /* Makes the shadow from the heights, INFINITY for texels with nothing above; heights below the plane count as 0.
  * `height`: h; INFINITY: as under a high scene. `light` is NULL if the arena failed. Every team gives the same bytes.
  */
-struct zr_ground zr_ground_make(struct zr_arena *arena, struct zr_team *team, const float *heights, float half_size,
-                                float diagonal, float height);
+struct zr_ground zr_ground_make(const struct zr_run *run, const float *heights, float half_size, float diagonal,
+                                float height);
 
 /* Returns T at a point of the plane, bilinear between texel centres. Texels outside the map are 1, so T has no step at
  * its border. */

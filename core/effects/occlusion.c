@@ -1,5 +1,6 @@
 #include "effects/occlusion.h"
 
+#include "base/run.h"
 #include "base/trig.h"
 
 /* Ordered 4 x 4 pattern: neighbours differ strongly, and each 4 x 4 pixels contain all 16 values. */
@@ -54,22 +55,21 @@ static void blur_rows(void *context, size_t begin, size_t end)
     do_rows(job, job->blur, begin, end);
 }
 
-const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                               const struct zr_gbuffer *pixels, const struct zr_occlusion *occlusion,
-                               const struct zr_pixel_scale *scale, float diagonal)
+const float *zr_occlusion_make(const struct zr_run *run, const struct zr_gbuffer *pixels,
+                               const struct zr_occlusion *occlusion, const struct zr_pixel_scale *scale, float diagonal)
 {
     const size_t height = (size_t)pixels->height, size = (size_t)pixels->stride * height;
     const float radius = occlusion->radius * diagonal;
-    const enum zr_isa isa = zr_team_isa(team);
+    const enum zr_isa isa = zr_team_isa(run->team);
     struct job job = {.points = zr_occlusion_points_of(isa),
                       .row = zr_occlusion_row_of(isa),
                       .blur = zr_occlusion_blur_of(isa),
-                      .cancel = cancel};
+                      .cancel = run->cancel};
     struct zr_occlusion_work *work = &job.work;
-    work->light = zr_arena_alloc(arena, size, sizeof *work->light);
+    work->light = zr_arena_alloc(run->arena, size, sizeof *work->light);
     /* One array, since only the newest one can be given back. */
-    work->points = zr_arena_alloc(arena, size, sizeof *work->points + sizeof *work->rows);
-    if (!zr_arena_ok(arena)) return NULL;
+    work->points = zr_arena_alloc(run->arena, size, sizeof *work->points + sizeof *work->rows);
+    if (!zr_arena_ok(run->arena)) return NULL;
     work->rows = (void *)(work->points + size);
     work->pixels = pixels;
     work->scale = *scale;
@@ -80,10 +80,10 @@ const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, con
     for (int y = 0; y < ZR_OCCLUSION_TILE; y++)
         for (int x = 0; x < 16; x++)
             set_pattern(work, y, x);
-    zr_team_ranges(team, height, 8, lay_out_rows, &job);
-    zr_team_ranges(team, height, 2, find_rows, &job);
-    zr_team_ranges(team, height, 8, blur_rows, &job);
-    zr_arena_trim(arena, work->points, size, 0, sizeof *work->points + sizeof *work->rows);
+    zr_team_ranges(run->team, height, 8, lay_out_rows, &job);
+    zr_team_ranges(run->team, height, 2, find_rows, &job);
+    zr_team_ranges(run->team, height, 8, blur_rows, &job);
+    zr_arena_trim(run->arena, work->points, size, 0, sizeof *work->points + sizeof *work->rows);
     return work->light;
 }
 

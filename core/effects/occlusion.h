@@ -11,6 +11,7 @@
 
 #include "base/arena.h"
 #include "base/isa.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "scene/camera/camera.h"
@@ -32,9 +33,9 @@ struct zr_pixel_scale zr_pixel_scale_of(const struct zr_camera *camera, uint32_t
 
 /* Computes the occlusion of all pixels. `diagonal`: that of the scene's bounds, scene units. NULL if the arena failed.
  * If cancelled, returns early with undefined values. */
-const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                               const struct zr_gbuffer *pixels, const struct zr_occlusion *occlusion,
-                               const struct zr_pixel_scale *scale, float diagonal);
+const float *zr_occlusion_make(const struct zr_run *run, const struct zr_gbuffer *pixels,
+                               const struct zr_occlusion *occlusion, const struct zr_pixel_scale *scale,
+                               float diagonal);
 
 /* Occlusion of pixels, for samples to interpolate. */
 struct zr_occlusion_map {

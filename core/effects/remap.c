@@ -4,6 +4,8 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#include "base/run.h"
+
 enum { ROWS_A_RANGE = 4, HALF = ZR_REMAP_ONE / 2 };
 
 /* ---- places ---- */
@@ -42,20 +44,20 @@ static void find_rows(void *context, size_t begin, size_t end)
     atomic_fetch_add_explicit(&making->nowhere, nowhere, memory_order_relaxed);
 }
 
-enum zr_status zr_remap_make(struct zr_arena *arena, struct zr_team *team, const struct zr_lens_plan *plan,
-                             const struct zr_cancel *cancel, struct zr_remap *remap)
+enum zr_status zr_remap_make(const struct zr_run *run, const struct zr_lens_plan *plan, struct zr_remap *remap)
 {
-    struct zr_remap_place *places = zr_arena_alloc(arena, (size_t)plan->view_width * plan->view_height, sizeof *places);
-    struct making making = {.plan = plan, .cancel = cancel, .places = places};
+    struct zr_remap_place *places =
+        zr_arena_alloc(run->arena, (size_t)plan->view_width * plan->view_height, sizeof *places);
+    struct making making = {.plan = plan, .cancel = run->cancel, .places = places};
     if (!places) return ZR_NO_MEMORY;
-    zr_team_ranges(team, plan->view_height, ROWS_A_RANGE, find_rows, &making);
+    zr_team_ranges(run->team, plan->view_height, ROWS_A_RANGE, find_rows, &making);
     *remap = (struct zr_remap){.width = plan->view_width,
                                .height = plan->view_height,
                                .source_width = plan->width,
                                .source_height = plan->height,
                                .places = places,
                                .nowhere = making.nowhere};
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
 /* ---- data ---- */
@@ -85,12 +87,12 @@ static void copy_rows(void *context, size_t begin, size_t end)
     }
 }
 
-enum zr_status zr_remap_nearest(const struct zr_remap *remap, struct zr_team *team, const struct zr_cancel *cancel,
-                                uint32_t words, uint32_t clear, const uint32_t *source, uint32_t *out)
+enum zr_status zr_remap_nearest(const struct zr_run *run, const struct zr_remap *remap, uint32_t words, uint32_t clear,
+                                const uint32_t *source, uint32_t *out)
 {
-    struct channel channel = {remap, cancel, words, clear, source, out};
-    zr_team_ranges(team, remap->height, ROWS_A_RANGE, copy_rows, &channel);
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    struct channel channel = {remap, run->cancel, words, clear, source, out};
+    zr_team_ranges(run->team, remap->height, ROWS_A_RANGE, copy_rows, &channel);
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
 /* ---- colour ---- */
@@ -245,10 +247,10 @@ static void mix_rows(void *context, size_t begin, size_t end)
         }
 }
 
-enum zr_status zr_remap_color(const struct zr_remap *remap, struct zr_team *team, const struct zr_cancel *cancel,
-                              uint32_t clear, const uint32_t *source, uint32_t *out)
+enum zr_status zr_remap_color(const struct zr_run *run, const struct zr_remap *remap, uint32_t clear,
+                              const uint32_t *source, uint32_t *out)
 {
-    struct channel channel = {remap, cancel, 1, clear, source, out};
-    zr_team_ranges(team, remap->height, ROWS_A_RANGE, mix_rows, &channel);
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    struct channel channel = {remap, run->cancel, 1, clear, source, out};
+    zr_team_ranges(run->team, remap->height, ROWS_A_RANGE, mix_rows, &channel);
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -13,6 +13,7 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/status.h"
 #include "base/team.h"
 #include "scene/camera/lens_plan.h"
@@ -34,8 +35,7 @@ struct zr_remap {
 };
 
 /* Finds the places of all pixels. ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. `team` may be NULL. */
-enum zr_status zr_remap_make(struct zr_arena *arena, struct zr_team *team, const struct zr_lens_plan *plan,
-                             const struct zr_cancel *cancel, struct zr_remap *remap);
+enum zr_status zr_remap_make(const struct zr_run *run, const struct zr_lens_plan *plan, struct zr_remap *remap);
 
 /* A pixel of the pinhole picture. */
 struct zr_remap_pixel {
@@ -56,11 +56,11 @@ static inline bool zr_remap_nearest_pixel(const struct zr_remap *remap, uint32_t
 
 /* Writes the pixels of a channel of `words` words per pixel. Pixels without a ray get `clear` in every word. ZR_OK or
  * ZR_CANCELLED. */
-enum zr_status zr_remap_nearest(const struct zr_remap *remap, struct zr_team *team, const struct zr_cancel *cancel,
-                                uint32_t words, uint32_t clear, const uint32_t *source, uint32_t *out);
+enum zr_status zr_remap_nearest(const struct zr_run *run, const struct zr_remap *remap, uint32_t words, uint32_t clear,
+                                const uint32_t *source, uint32_t *out);
 
 /* Writes the pixels of a colour, four bytes in memory: red, green, blue and alpha. ZR_OK or ZR_CANCELLED. */
-enum zr_status zr_remap_color(const struct zr_remap *remap, struct zr_team *team, const struct zr_cancel *cancel,
-                              uint32_t clear, const uint32_t *source, uint32_t *out);
+enum zr_status zr_remap_color(const struct zr_run *run, const struct zr_remap *remap, uint32_t clear,
+                              const uint32_t *source, uint32_t *out);
 
 #endif

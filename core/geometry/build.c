@@ -4,6 +4,7 @@
 
 #include "base/fast.h"
 #include "base/prefetch.h"
+#include "base/run.h"
 #include "geometry/face.h"
 #include "geometry/place.h"
 #include "geometry/shape.h"
@@ -137,7 +138,7 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
                 place_face(builder, face);
             }
         }
-        if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
+        if (!zr_arena_ok(builder->run->arena)) return ZR_NO_MEMORY;
         if (!zr_builder_go_on(builder, work)) return ZR_CANCELLED;
     }
     return ZR_OK;
@@ -150,7 +151,7 @@ static enum zr_status for_each_face(struct zr_builder *builder, void (*work)(str
     for (uint32_t face = 0; face < builder->mesh->face_count; face++) {
         if (!zr_builder_go_on(builder, corners_squared(builder->mesh, face))) return ZR_CANCELLED;
         work(builder, face);
-        if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
+        if (!zr_arena_ok(builder->run->arena)) return ZR_NO_MEMORY;
     }
     return ZR_OK;
 }
@@ -162,9 +163,8 @@ static enum zr_status fill_faces(struct zr_builder *builder)
     const struct zr_mesh *mesh = builder->mesh;
     if (zr_mesh_is_of_triangles(mesh)) return assemble_faces(builder, &none);
     struct zr_fans *fans = &builder->fans[mesh - builder->scene->meshes];
-    if (!fans->corners && !zr_fans_make(builder->arena, builder->team, builder->cancel, mesh, fans))
-        return ZR_NO_MEMORY;
-    if (zr_is_cancelled(builder->cancel)) return ZR_CANCELLED;
+    if (!fans->corners && !zr_fans_make(builder->run, mesh, fans)) return ZR_NO_MEMORY;
+    if (zr_is_cancelled(builder->run->cancel)) return ZR_CANCELLED;
     return assemble_faces(builder, fans);
 }
 
@@ -214,12 +214,12 @@ static bool make_room(struct zr_builder *builder)
         if (count > most) most = count;
     }
     if (!zr_builder_reserve_vertices(builder, vertices)) return false;
-    geometry->instances = zr_arena_alloc(builder->arena, scene->instance_count, sizeof *geometry->instances);
-    geometry->draws = zr_arena_zero(builder->arena, 1, sizeof *geometry->draws);
+    geometry->instances = zr_arena_alloc(builder->run->arena, scene->instance_count, sizeof *geometry->instances);
+    geometry->draws = zr_arena_zero(builder->run->arena, 1, sizeof *geometry->draws);
     builder->draw_room = 1;
-    builder->outcodes = zr_arena_alloc(builder->arena, most, sizeof *builder->outcodes);
-    builder->fans = zr_arena_zero(builder->arena, scene->mesh_count, sizeof *builder->fans);
-    return zr_arena_ok(builder->arena);
+    builder->outcodes = zr_arena_alloc(builder->run->arena, most, sizeof *builder->outcodes);
+    builder->fans = zr_arena_zero(builder->run->arena, scene->mesh_count, sizeof *builder->fans);
+    return zr_arena_ok(builder->run->arena);
 }
 
 static enum zr_status build_instance(struct zr_builder *builder, const struct zr_camera *camera,
@@ -240,10 +240,10 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
     builder->object_to_clip = zr_mat4_mul(&camera->projection, &builder->object_to_eye);
     struct placing placing = {.builder = builder,
                               .out = mesh->position_count > 0 ? geometry->vertices + geometry->vertex_count : NULL,
-                              .transform = zr_transform_of(zr_team_isa(builder->team))};
+                              .transform = zr_transform_of(zr_team_isa(builder->run->team))};
     placing.streamed = mesh->position_count >= STREAMED_VERTICES && (uintptr_t)placing.out % ZR_CACHE_LINE == 0;
     if (mesh->position_count > 0) /* a mesh that a section cuts away has none */
-        zr_team_ranges(builder->team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
+        zr_team_ranges(builder->run->team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
     builder->any_outcodes = placing.any_outcodes;
     geometry->vertex_count += mesh->position_count;
     geometry->instances[builder->instance] =
@@ -251,19 +251,16 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
     return assemble_mesh(builder);
 }
 
-enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                 const struct zr_camera *camera, const struct zr_window *window,
-                                 const struct zr_cancel *cancel, bool singly, struct zr_geometry *geometry)
+enum zr_status zr_geometry_build(const struct zr_run *run, const struct zr_scene *scene, const struct zr_camera *camera,
+                                 const struct zr_window *window, bool singly, struct zr_geometry *geometry)
 {
     *geometry = (struct zr_geometry){.window = *window};
-    struct zr_builder builder = {.arena = arena,
-                                 .team = team,
-                                 .cancel = cancel,
+    struct zr_builder builder = {.run = run,
                                  .scene = scene,
                                  .geometry = geometry,
                                  .singly = singly,
                                  .viewport = zr_viewport_make(window->width, window->height),
-                                 .cutting.triangulator.loops.cancel = cancel,
+                                 .cutting.triangulator.loops.cancel = run->cancel,
                                  .first_face_id = 1};
     if (!make_room(&builder)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
@@ -272,5 +269,5 @@ enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, c
         if (status != ZR_OK) return status;
         builder.first_face_id += (uint32_t)zr_mesh_ids(&scene->meshes[instance->mesh]);
     }
-    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+    return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -2,6 +2,7 @@
 #ifndef ZR_BUILD_H
 #define ZR_BUILD_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "geometry/geometry.h"
 
@@ -9,8 +10,7 @@
  * transform the vertices with the team's instruction set; the calling thread makes the draws. With `singly`, each
  * primitive is placed by itself and all draws are `counted`. Returns ZR_OK, ZR_CANCELLED, or ZR_NO_MEMORY if the arena
  * failed or a count would exceed ZR_GEOMETRY_MAX. */
-enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                 const struct zr_camera *camera, const struct zr_window *window,
-                                 const struct zr_cancel *cancel, bool singly, struct zr_geometry *geometry);
+enum zr_status zr_geometry_build(const struct zr_run *run, const struct zr_scene *scene, const struct zr_camera *camera,
+                                 const struct zr_window *window, bool singly, struct zr_geometry *geometry);
 
 #endif

@@ -11,7 +11,7 @@ bool zr_builder_go_on(struct zr_builder *builder, uint64_t work)
     builder->unchecked += work;
     if (builder->unchecked < WORK_A_CHECK) return true;
     builder->unchecked = 0;
-    return !zr_is_cancelled(builder->cancel);
+    return !zr_is_cancelled(builder->run->cancel);
 }
 
 /* ---- room ---- */
@@ -45,8 +45,8 @@ bool zr_builder_reserve_vertices(struct zr_builder *builder, uint64_t more)
     struct zr_geometry *g = builder->geometry;
     void *vertices = g->vertices, *eyes = g->eyes;
     uint32_t eye_room = builder->vertex_room;
-    if (!reserve(builder->arena, &eyes, &eye_room, g->vertex_count, more, sizeof *g->eyes) ||
-        !reserve(builder->arena, &vertices, &builder->vertex_room, g->vertex_count, more, sizeof *g->vertices))
+    if (!reserve(builder->run->arena, &eyes, &eye_room, g->vertex_count, more, sizeof *g->eyes) ||
+        !reserve(builder->run->arena, &vertices, &builder->vertex_room, g->vertex_count, more, sizeof *g->vertices))
         return false;
     g->vertices = vertices;
     g->eyes = eyes;
@@ -57,10 +57,11 @@ bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges)
 {
     struct zr_geometry *g = builder->geometry;
     void *edge_array = g->edges, *shapes = g->shapes;
-    if (!reserve(builder->arena, &edge_array, &builder->edge_room, g->edge_count, edges, sizeof *g->edges))
+    if (!reserve(builder->run->arena, &edge_array, &builder->edge_room, g->edge_count, edges, sizeof *g->edges))
         return false;
     g->edges = edge_array;
-    if (!reserve(builder->arena, &shapes, &builder->shape_room, g->shape_count, 1, sizeof *g->shapes)) return false;
+    if (!reserve(builder->run->arena, &shapes, &builder->shape_room, g->shape_count, 1, sizeof *g->shapes))
+        return false;
     g->shapes = shapes;
     return true;
 }
@@ -72,9 +73,9 @@ bool zr_builder_add_draw(struct zr_builder *builder, struct zr_draw draw)
     struct zr_geometry *g = builder->geometry;
     void *draws = g->draws;
     if (draw.count == 0) return true;
-    if (draw.count > ZR_GEOMETRY_MAX - g->primitive_count) builder->arena->failed = true;
-    if (builder->arena->failed ||
-        !reserve(builder->arena, &draws, &builder->draw_room, g->draw_count, 1, sizeof *g->draws))
+    if (draw.count > ZR_GEOMETRY_MAX - g->primitive_count) builder->run->arena->failed = true;
+    if (builder->run->arena->failed ||
+        !reserve(builder->run->arena, &draws, &builder->draw_room, g->draw_count, 1, sizeof *g->draws))
         return false;
     g->draws = draws;
     draw.first = g->primitive_count;
@@ -93,7 +94,7 @@ enum { PLACED_AT_FIRST = 64, PLACED_MOST = 1 << 14 };
 static bool make_room_to_place(struct zr_builder *builder)
 {
     struct zr_placed *p = &builder->placed;
-    struct zr_arena *arena = builder->arena;
+    struct zr_arena *arena = builder->run->arena;
     if (p->count < p->room) return true;
     const uint32_t room = p->room == 0 ? PLACED_AT_FIRST : p->room < PLACED_MOST ? 2 * p->room : PLACED_MOST;
     *p = (struct zr_placed){.room = room,
@@ -152,8 +153,9 @@ static bool note_cut(struct zr_builder *builder, const struct zr_clipped *clippe
     struct zr_geometry *g = builder->geometry;
     void *cuts = g->cuts;
     const size_t made_count = (size_t)clipped->made_count;
-    struct zr_clip_made *made = zr_arena_alloc(builder->arena, made_count, sizeof *made);
-    if (!made || !reserve(builder->arena, &cuts, &builder->cut_room, g->cut_count, 1, sizeof *g->cuts)) return false;
+    struct zr_clip_made *made = zr_arena_alloc(builder->run->arena, made_count, sizeof *made);
+    if (!made || !reserve(builder->run->arena, &cuts, &builder->cut_room, g->cut_count, 1, sizeof *g->cuts))
+        return false;
     memcpy(made, clipped->made, made_count * sizeof *made);
     g->cuts = cuts;
     struct zr_cut *cut = &g->cuts[g->cut_count++];

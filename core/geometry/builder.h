@@ -3,6 +3,7 @@
 #define ZR_BUILDER_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "geometry/claims.h"
 #include "geometry/clip.h"
 #include "geometry/fans.h"
@@ -41,10 +42,8 @@ struct zr_placed {
 };
 
 struct zr_builder {
-    struct zr_arena *arena;
-    struct zr_team *team;
-    const struct zr_cancel *cancel;
-    uint64_t unchecked; /* work since the last check of `cancel`, summed over instances */
+    const struct zr_run *run;
+    uint64_t unchecked; /* work since the last check of `run->cancel`, summed over instances */
     const struct zr_scene *scene;
     struct zr_geometry *geometry;
     bool singly;                                                      /* each primitive is placed by itself */

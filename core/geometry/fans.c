@@ -1,6 +1,7 @@
 #include "geometry/fans.h"
 
 #include "base/mutant.h"
+#include "base/run.h"
 #include "geometry/face.h"
 
 enum { FACES_A_RANGE = 1024 };
@@ -37,18 +38,17 @@ static void make_fans(void *context, size_t begin, size_t end)
     }
 }
 
-bool zr_fans_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                  const struct zr_mesh *mesh, struct zr_fans *fans)
+bool zr_fans_make(const struct zr_run *run, const struct zr_mesh *mesh, struct zr_fans *fans)
 {
     size_t triangles = zr_fans_first(mesh, mesh->face_count);
     struct fanning f = {.mesh = mesh,
-                        .cancel = cancel,
-                        .corners = zr_arena_alloc(arena, triangles, 3 * sizeof *f.corners),
-                        .slots = zr_arena_alloc(arena, triangles, 3 * sizeof *f.slots),
-                        .faces = zr_arena_alloc(arena, triangles, sizeof *f.faces),
-                        .is_other = zr_arena_alloc(arena, mesh->face_count, sizeof *f.is_other)};
-    if (!zr_arena_ok(arena)) return false;
-    zr_team_ranges(team, mesh->face_count, FACES_A_RANGE, make_fans, &f);
+                        .cancel = run->cancel,
+                        .corners = zr_arena_alloc(run->arena, triangles, 3 * sizeof *f.corners),
+                        .slots = zr_arena_alloc(run->arena, triangles, 3 * sizeof *f.slots),
+                        .faces = zr_arena_alloc(run->arena, triangles, sizeof *f.faces),
+                        .is_other = zr_arena_alloc(run->arena, mesh->face_count, sizeof *f.is_other)};
+    if (!zr_arena_ok(run->arena)) return false;
+    zr_team_ranges(run->team, mesh->face_count, FACES_A_RANGE, make_fans, &f);
     *fans = (struct zr_fans){f.corners, f.slots, f.faces, f.is_other};
     return true;
 }

@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "scene/scene.h"
 
@@ -25,7 +26,6 @@ static inline uint32_t zr_fans_first(const struct zr_mesh *mesh, uint32_t face)
 
 /* Fills `fans` in the arena, on the team's threads. Returns false if the arena failed. If cancelled, returns early, and
  * *fans must not be read. */
-bool zr_fans_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                  const struct zr_mesh *mesh, struct zr_fans *fans);
+bool zr_fans_make(const struct zr_run *run, const struct zr_mesh *mesh, struct zr_fans *fans);
 
 #endif

@@ -40,7 +40,7 @@ static bool append_triangle(struct zr_builder *builder, const struct zr_corner e
         return false;
     }
     zr_builder_place(builder, common, ends);
-    return zr_arena_ok(builder->arena);
+    return zr_arena_ok(builder->run->arena);
 }
 
 static void clip_and_append(struct zr_builder *builder, const struct zr_corner corners[3], unsigned outcodes,

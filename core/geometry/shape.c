@@ -149,15 +149,15 @@ static struct zr_shape shape_of_edges(const struct zr_geometry *geometry, uint32
 static bool reserve_cutting(struct zr_builder *builder, uint32_t corners, uint32_t rings)
 {
     struct zr_cutting *cutting = &builder->cutting;
-    if (!zr_triangulator_reserve(builder->arena, &cutting->triangulator, corners, rings)) return false;
+    if (!zr_triangulator_reserve(builder->run->arena, &cutting->triangulator, corners, rings)) return false;
     if (corners <= cutting->corner_room && rings <= cutting->ring_room) return true;
     if (corners > cutting->corner_room) cutting->corner_room = 2 * corners; /* doubled: the arena takes nothing back */
     if (rings > cutting->ring_room) cutting->ring_room = 2 * rings;
     size_t triangles = zr_triangulate_count_max(cutting->corner_room, cutting->ring_room);
-    cutting->points = zr_arena_alloc(builder->arena, cutting->corner_room, sizeof *cutting->points);
-    cutting->offsets = zr_arena_alloc(builder->arena, (size_t)cutting->ring_room + 1, sizeof *cutting->offsets);
-    cutting->triangles = zr_arena_alloc(builder->arena, triangles, sizeof *cutting->triangles);
-    return zr_arena_ok(builder->arena);
+    cutting->points = zr_arena_alloc(builder->run->arena, cutting->corner_room, sizeof *cutting->points);
+    cutting->offsets = zr_arena_alloc(builder->run->arena, (size_t)cutting->ring_room + 1, sizeof *cutting->offsets);
+    cutting->triangles = zr_arena_alloc(builder->run->arena, triangles, sizeof *cutting->triangles);
+    return zr_arena_ok(builder->run->arena);
 }
 
 static uint32_t cut(struct zr_builder *builder, uint32_t face)

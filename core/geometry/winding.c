@@ -241,16 +241,16 @@ static bool make_rooms(struct zr_builder *builder, uint32_t count, struct windin
     const struct zr_window *window = &builder->geometry->window;
     const size_t columns = (size_t)window->width + 1;
     if (!scratch->rows) {
-        scratch->rows = zr_arena_alloc(builder->arena, window->height, sizeof *w->starts);
-        scratch->walls = zr_arena_alloc(builder->arena, 2 * columns, sizeof *w->walls);
-        if (!zr_claims_make(builder->arena, builder->scene, window->width, window->height, &scratch->claims))
+        scratch->rows = zr_arena_alloc(builder->run->arena, window->height, sizeof *w->starts);
+        scratch->walls = zr_arena_alloc(builder->run->arena, 2 * columns, sizeof *w->walls);
+        if (!zr_claims_make(builder->run->arena, builder->scene, window->width, window->height, &scratch->claims))
             return false;
     }
     if (count > scratch->number_room) {
         scratch->number_room = scratch->edge_room; /* grows by doubling */
-        scratch->numbers = zr_arena_alloc(builder->arena, scratch->number_room, NUMBER_BYTES);
+        scratch->numbers = zr_arena_alloc(builder->run->arena, scratch->number_room, NUMBER_BYTES);
     }
-    if (!zr_arena_ok(builder->arena)) return false;
+    if (!zr_arena_ok(builder->run->arena)) return false;
     const size_t room = scratch->number_room;
     w->starts = scratch->rows;
     w->walls = scratch->walls;
@@ -267,11 +267,11 @@ void zr_winding_note(struct zr_builder *builder, const struct zr_grid_edge *edge
     struct zr_winding_scratch *scratch = &builder->winding;
     if (scratch->edge_count == scratch->edge_room) {
         const uint32_t room = scratch->edge_room == 0 ? EDGES_AT_FIRST : 2 * scratch->edge_room;
-        void *grown = room < ZR_GEOMETRY_MAX ? zr_arena_grow(builder->arena, scratch->edges, scratch->edge_count, room,
-                                                             sizeof *scratch->edges)
+        void *grown = room < ZR_GEOMETRY_MAX ? zr_arena_grow(builder->run->arena, scratch->edges, scratch->edge_count,
+                                                             room, sizeof *scratch->edges)
                                              : NULL;
         if (!grown) {
-            builder->arena->failed = true;
+            builder->run->arena->failed = true;
             return;
         }
         scratch->edges = grown;
@@ -286,15 +286,15 @@ bool zr_winding_add(struct zr_builder *builder, uint32_t cap)
     const uint32_t count = builder->winding.edge_count;
     struct winding w = {.builder = builder, .edges = builder->winding.edges};
     builder->winding.edge_count = 0;
-    if (count == 0) return zr_arena_ok(builder->arena);
-    if (!zr_arena_ok(builder->arena) || !make_rooms(builder, count, &w)) return false;
+    if (count == 0) return zr_arena_ok(builder->run->arena);
+    if (!zr_arena_ok(builder->run->arena) || !make_rooms(builder, count, &w)) return false;
     w.plane = builder->mesh->cap_planes ? builder->mesh->cap_planes[cap] : 0;
     const uint32_t face = builder->mesh->face_count - builder->mesh->cap_count + cap;
     const bool is_opaque = zr_material_of_face(builder->scene, builder->mesh, face)->alpha_mode == ZR_ALPHA_OPAQUE;
     if (is_opaque && builder->winding.claims.bits[w.plane]) w.claims = &builder->winding.claims;
     find_rows(&w, count);
     if (differs(&w, count)) return add_walls(&w, count);
-    if (zr_is_cancelled(builder->cancel) || !zr_builder_reserve_shape(builder, count)) return false;
+    if (zr_is_cancelled(builder->run->cancel) || !zr_builder_reserve_shape(builder, count)) return false;
     for (uint32_t i = 0; i < count; i++)
         geometry->edges[geometry->edge_count++] = w.edges[i].edge;
     return !w.claims || take_rows(&w, count);

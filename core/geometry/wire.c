@@ -96,7 +96,7 @@ void zr_wire_outline(struct zr_builder *builder, uint32_t face)
     struct zr_rings rings = zr_mesh_rings(mesh, face);
     for (uint32_t r = 0; r < rings.count && pen.sides != 0; r++) {
         uint32_t begin = rings.offsets[r], count = rings.offsets[r + 1] - begin;
-        for (uint32_t i = 2; i < count && zr_arena_ok(builder->arena); i++) {
+        for (uint32_t i = 2; i < count && zr_arena_ok(builder->run->arena); i++) {
             const uint32_t fan[3] = {i - 1, i, 0}, whole[3] = {0, 1, 2}, *order = count == 3 ? whole : fan;
             struct zr_corner ends[3];
             for (int k = 0; k < 3; k++)
@@ -155,7 +155,7 @@ enum zr_status zr_wire_lines(struct zr_builder *builder)
         if (!zr_builder_go_on(builder, LINE_WORK)) return ZR_CANCELLED;
         common.face = mesh->face_count + i;
         place_line(builder, &common, ends);
-        if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
+        if (!zr_arena_ok(builder->run->arena)) return ZR_NO_MEMORY;
     }
     return ZR_OK;
 }
@@ -189,7 +189,7 @@ enum zr_status zr_wire_points(struct zr_builder *builder)
         if (!zr_builder_go_on(builder, POINT_WORK)) return ZR_CANCELLED;
         common.face = mesh->face_count + mesh->line_count + i;
         place_point(builder, &common, mesh->points[i]);
-        if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
+        if (!zr_arena_ok(builder->run->arena)) return ZR_NO_MEMORY;
     }
     return ZR_OK;
 }

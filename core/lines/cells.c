@@ -1,6 +1,7 @@
 #include "lines/cells.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/sort.h"
 
 /* Triangles are dealt to chunks, whose counts are kept apart. */
@@ -224,26 +225,25 @@ static bool sum_counts(const struct binning *b, uint32_t *firsts)
     return sum <= UINT32_MAX;
 }
 
-enum zr_status zr_cells_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                             const struct zr_window_mesh *mesh, struct zr_cells *out)
+enum zr_status zr_cells_make(const struct zr_run *run, const struct zr_window_mesh *mesh, struct zr_cells *out)
 {
     const uint32_t hiders = mesh->triangle_count + mesh->cut_count, chunks = hiders / HIDERS_A_CHUNK + 1;
     struct binning b = {.mesh = mesh,
-                        .cancel = cancel,
+                        .cancel = run->cancel,
                         .columns = (mesh->view.width + 2 * ZR_WINDOW_MARGIN) / ZR_CELL_PIXELS + 1,
                         .rows = (mesh->view.height + 2 * ZR_WINDOW_MARGIN) / ZR_CELL_PIXELS + 1,
                         .hider_count = hiders,
                         .chunk_count = chunks < CHUNKS_MOST ? chunks : CHUNKS_MOST};
     const size_t cells = (size_t)b.columns * b.rows;
-    uint32_t *firsts = zr_arena_alloc(arena, cells + 1, sizeof *firsts);
-    b.counts = zr_arena_zero(arena, cells * b.chunk_count, sizeof *b.counts);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    zr_team_ranges(team, b.chunk_count, 1, bin_chunks, &b);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    b.entries = sum_counts(&b, firsts) ? zr_arena_alloc(arena, firsts[cells], sizeof *b.entries) : NULL;
+    uint32_t *firsts = zr_arena_alloc(run->arena, cells + 1, sizeof *firsts);
+    b.counts = zr_arena_zero(run->arena, cells * b.chunk_count, sizeof *b.counts);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
+    zr_team_ranges(run->team, b.chunk_count, 1, bin_chunks, &b);
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
+    b.entries = sum_counts(&b, firsts) ? zr_arena_alloc(run->arena, firsts[cells], sizeof *b.entries) : NULL;
     if (!b.entries) return ZR_NO_MEMORY;
-    zr_team_ranges(team, b.chunk_count, 1, bin_chunks, &b);
-    if (!zr_is_cancelled(cancel) && !sort_long_lists(arena, team, &b, firsts)) return ZR_NO_MEMORY;
+    zr_team_ranges(run->team, b.chunk_count, 1, bin_chunks, &b);
+    if (!zr_is_cancelled(run->cancel) && !sort_long_lists(run->arena, run->team, &b, firsts)) return ZR_NO_MEMORY;
     *out = (struct zr_cells){.columns = b.columns, .rows = b.rows, .firsts = firsts, .entries = b.entries};
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -7,6 +7,7 @@
 #ifndef ZR_CELLS_H
 #define ZR_CELLS_H
 
+#include "base/run.h"
 #include "lines/window_mesh.h"
 
 enum { ZR_CELL_PIXELS = 8 };
@@ -35,8 +36,7 @@ struct zr_cells {
 };
 
 /* Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_cells_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                             const struct zr_window_mesh *mesh, struct zr_cells *out);
+enum zr_status zr_cells_make(const struct zr_run *run, const struct zr_window_mesh *mesh, struct zr_cells *out);
 
 /* Returns the column or row of a coordinate, held within 0 .. count - 1. */
 static inline uint32_t zr_cell_at(double coordinate, uint32_t count)

@@ -1,6 +1,7 @@
 #include "lines/drawing.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "lines/chains.h"
 #include "lines/contour_steps.h"
 #include "lines/intersections.h"
@@ -11,9 +12,7 @@
     if (status == ZR_OK) status = (call)
 
 struct making {
-    struct zr_arena *arena;
-    struct zr_team *team;
-    const struct zr_cancel *cancel;
+    const struct zr_run *run;
     const struct zr_drawing_desc *desc;
 };
 
@@ -21,28 +20,27 @@ static enum zr_status make_tables(const struct making *m, struct zr_edge_mesh **
 {
     const struct zr_scene *scene = m->desc->scene;
     enum zr_status status = ZR_OK;
-    *tables = zr_arena_alloc(m->arena, scene->mesh_count, sizeof **tables);
+    *tables = zr_arena_alloc(m->run->arena, scene->mesh_count, sizeof **tables);
     if (!*tables) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         const struct zr_edge_mesh *shared = zr_mesh_table_edges(scene->tables, scene, i);
         if (shared)
             (*tables)[i] = *shared;
         else
-            STAGE(zr_edge_mesh_make(m->arena, m->team, m->cancel, &scene->meshes[i], &(*tables)[i]));
+            STAGE(zr_edge_mesh_make(m->run, &scene->meshes[i], &(*tables)[i]));
     }
     return status;
 }
 
 static enum zr_status find_features(const struct making *m, const struct zr_window_mesh *mesh, uint8_t **features)
 {
-    *features = zr_features_find(m->arena, m->team, m->cancel, mesh, &m->desc->rule);
-    return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : *features ? ZR_OK : ZR_NO_MEMORY;
+    *features = zr_features_find(m->run, mesh, &m->desc->rule);
+    return zr_is_cancelled(m->run->cancel) ? ZR_CANCELLED : *features ? ZR_OK : ZR_NO_MEMORY;
 }
 
-enum zr_status zr_drawing_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                               const struct zr_drawing_desc *desc, struct zr_drawing *out)
+enum zr_status zr_drawing_make(const struct zr_run *run, const struct zr_drawing_desc *desc, struct zr_drawing *out)
 {
-    const struct making m = {arena, team, cancel, desc};
+    const struct making m = {run, desc};
     const struct zr_window_view view = zr_window_view_make(desc->camera, desc->bounds, desc->width, desc->height);
     struct zr_edge_mesh *tables = NULL;
     uint8_t *features = NULL;
@@ -52,16 +50,15 @@ enum zr_status zr_drawing_make(struct zr_arena *arena, struct zr_team *team, con
     enum zr_status status = ZR_OK;
 
     STAGE(make_tables(&m, &tables));
-    STAGE(zr_window_mesh_make(arena, team, cancel, desc->scene, tables, &view, &out->mesh));
+    STAGE(zr_window_mesh_make(run, desc->scene, tables, &view, &out->mesh));
     STAGE(find_features(&m, &out->mesh, &features));
-    STAGE(zr_chains_keep(arena, cancel, &out->mesh, features));
-    STAGE(zr_cells_make(arena, team, cancel, &out->mesh, &cells));
-    STAGE(zr_lines_make(arena, cancel, &out->mesh, features, &out->lines));
-    STAGE(zr_intersections_add(arena, team, cancel, &out->mesh, &cells, &out->lines));
-    STAGE(zr_hidden_parts_find(arena, team, cancel, &out->mesh, &cells, &out->lines, &hidden));
-    STAGE(
-        zr_line_pieces_make(arena, team, cancel, &out->mesh, &cells, &out->lines, &hidden, desc->has_hidden, &pieces));
-    STAGE(zr_contour_steps_apply(arena, cancel, &cells, &pieces));
-    STAGE(zr_polylines_make(arena, cancel, &pieces, &out->polylines));
+    STAGE(zr_chains_keep(run->arena, run->cancel, &out->mesh, features));
+    STAGE(zr_cells_make(run, &out->mesh, &cells));
+    STAGE(zr_lines_make(run->arena, run->cancel, &out->mesh, features, &out->lines));
+    STAGE(zr_intersections_add(run, &out->mesh, &cells, &out->lines));
+    STAGE(zr_hidden_parts_find(run, &out->mesh, &cells, &out->lines, &hidden));
+    STAGE(zr_line_pieces_make(run, &out->mesh, &cells, &out->lines, &hidden, desc->has_hidden, &pieces));
+    STAGE(zr_contour_steps_apply(run->arena, run->cancel, &cells, &pieces));
+    STAGE(zr_polylines_make(run->arena, run->cancel, &pieces, &out->polylines));
     return status;
 }

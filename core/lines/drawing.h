@@ -17,6 +17,7 @@
 #ifndef ZR_DRAWING_H
 #define ZR_DRAWING_H
 
+#include "base/run.h"
 #include "lines/features.h"
 #include "lines/strokes.h"
 
@@ -37,7 +38,6 @@ struct zr_drawing {
 };
 
 /* Makes the polylines, in the arena. Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_drawing_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                               const struct zr_drawing_desc *desc, struct zr_drawing *out);
+enum zr_status zr_drawing_make(const struct zr_run *run, const struct zr_drawing_desc *desc, struct zr_drawing *out);
 
 #endif

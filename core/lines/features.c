@@ -1,6 +1,7 @@
 #include "lines/features.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/trig.h"
 #include "lines/smooth_normal.h"
 #include "mesh/face_normals.h"
@@ -209,21 +210,21 @@ static void find_range(void *context, size_t begin, size_t end)
     }
 }
 
-uint8_t *zr_features_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                          const struct zr_window_mesh *mesh, const struct zr_feature_rule *rule)
+uint8_t *zr_features_find(const struct zr_run *run, const struct zr_window_mesh *mesh,
+                          const struct zr_feature_rule *rule)
 {
     const double weak = (double)rule->crease_degrees, strong = 1.5 * weak < 180.0 ? 1.5 * weak : 180.0;
     double sine, weak_cosine, strong_cosine;
     zr_sine_cosine(weak, &sine, &weak_cosine);
     zr_sine_cosine(strong, &sine, &strong_cosine);
     struct finding f = {.mesh = mesh,
-                        .cancel = cancel,
+                        .cancel = run->cancel,
                         .weak_cosine = (float)weak_cosine,
                         .strong_cosine = (float)strong_cosine,
                         .ignores_normals = rule->ignores_normals,
                         .keeps_noise = rule->keeps_noise,
-                        .features = zr_arena_alloc(arena, mesh->edge_count, sizeof *f.features)};
+                        .features = zr_arena_alloc(run->arena, mesh->edge_count, sizeof *f.features)};
     if (!f.features) return NULL;
-    zr_team_ranges(team, mesh->edge_count, EDGES_A_RANGE, find_range, &f);
+    zr_team_ranges(run->team, mesh->edge_count, EDGES_A_RANGE, find_range, &f);
     return f.features;
 }

@@ -12,6 +12,7 @@
 #ifndef ZR_FEATURES_H
 #define ZR_FEATURES_H
 
+#include "base/run.h"
 #include "lines/window_mesh.h"
 
 enum {
@@ -32,7 +33,7 @@ struct zr_feature_rule {
 
 /* Returns the bits of each edge, numbered through all instances. NULL if the arena failed. If cancelled, they are
  * undefined. */
-uint8_t *zr_features_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                          const struct zr_window_mesh *mesh, const struct zr_feature_rule *rule);
+uint8_t *zr_features_find(const struct zr_run *run, const struct zr_window_mesh *mesh,
+                          const struct zr_feature_rule *rule);
 
 #endif

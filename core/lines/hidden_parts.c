@@ -1,6 +1,7 @@
 #include "lines/hidden_parts.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 
 /* Parts within a cell: a cell holds less than 12 pixels of a line, and parts are a gap apart from one another. */
 enum { PARTS_A_CELL = 32, PARTS_KEPT = 4, LINES_A_RANGE = 16, HIDERS_A_CANCEL_CHECK = 1 << 14 };
@@ -215,25 +216,25 @@ static void write_range(void *context, size_t begin, size_t end)
     }
 }
 
-enum zr_status zr_hidden_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                    const struct zr_window_mesh *mesh, const struct zr_cells *cells,
-                                    const struct zr_lines *lines, struct zr_hidden_parts *out)
+enum zr_status zr_hidden_parts_find(const struct zr_run *run, const struct zr_window_mesh *mesh,
+                                    const struct zr_cells *cells, const struct zr_lines *lines,
+                                    struct zr_hidden_parts *out)
 {
-    struct finding f = {.mesh = mesh, .cells = cells, .cancel = cancel, .lines = lines->at};
+    struct finding f = {.mesh = mesh, .cells = cells, .cancel = run->cancel, .lines = lines->at};
     uint64_t sum = 0;
-    f.kept = zr_arena_alloc(arena, lines->count, sizeof *f.kept);
-    f.counts = zr_arena_alloc(arena, (size_t)lines->count + 1, sizeof *f.counts);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    zr_team_ranges(team, lines->count, LINES_A_RANGE, count_range, &f);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    f.kept = zr_arena_alloc(run->arena, lines->count, sizeof *f.kept);
+    f.counts = zr_arena_alloc(run->arena, (size_t)lines->count + 1, sizeof *f.counts);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
+    zr_team_ranges(run->team, lines->count, LINES_A_RANGE, count_range, &f);
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     for (uint32_t i = 0; i <= lines->count; i++) {
         const uint32_t own = i < lines->count ? f.counts[i] : 0;
         f.counts[i] = (uint32_t)sum;
         sum += own;
     }
-    f.parts = sum <= UINT32_MAX ? zr_arena_alloc(arena, sum, sizeof *f.parts) : NULL;
+    f.parts = sum <= UINT32_MAX ? zr_arena_alloc(run->arena, sum, sizeof *f.parts) : NULL;
     if (!f.parts) return ZR_NO_MEMORY;
-    zr_team_ranges(team, lines->count, LINES_A_RANGE, write_range, &f);
+    zr_team_ranges(run->team, lines->count, LINES_A_RANGE, write_range, &f);
     *out = (struct zr_hidden_parts){.firsts = f.counts, .parts = f.parts};
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

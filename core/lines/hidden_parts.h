@@ -10,6 +10,7 @@
 #ifndef ZR_HIDDEN_PARTS_H
 #define ZR_HIDDEN_PARTS_H
 
+#include "base/run.h"
 #include "lines/cells.h"
 #include "lines/lines.h"
 
@@ -28,8 +29,8 @@ struct zr_hidden_parts {
 #define ZR_HIDDEN_GAP_PIXELS 0.6
 
 /* Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_hidden_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                    const struct zr_window_mesh *mesh, const struct zr_cells *cells,
-                                    const struct zr_lines *lines, struct zr_hidden_parts *out);
+enum zr_status zr_hidden_parts_find(const struct zr_run *run, const struct zr_window_mesh *mesh,
+                                    const struct zr_cells *cells, const struct zr_lines *lines,
+                                    struct zr_hidden_parts *out);
 
 #endif

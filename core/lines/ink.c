@@ -1,4 +1,5 @@
 #include "lines/ink.h"
+#include "base/run.h"
 
 enum { ROWS_A_RANGE = 16 };
 
@@ -32,14 +33,14 @@ static void lay_rows(void *context, size_t begin, size_t end)
     }
 }
 
-void zr_ink_lay(struct zr_team *team, const struct zr_cancel *cancel, const float *opacity, zr_vec3 color,
-                uint32_t width, uint32_t height, uint8_t *pixels)
+void zr_ink_lay(const struct zr_run *run, const float *opacity, zr_vec3 color, uint32_t width, uint32_t height,
+                uint8_t *pixels)
 {
-    struct laying laying = {.cancel = cancel,
+    struct laying laying = {.cancel = run->cancel,
                             .opacity = opacity,
                             .color = {255.0f * color.x, 255.0f * color.y, 255.0f * color.z},
                             .width = width,
                             .height = height,
                             .pixels = pixels};
-    zr_team_ranges(team, height, ROWS_A_RANGE, lay_rows, &laying);
+    zr_team_ranges(run->team, height, ROWS_A_RANGE, lay_rows, &laying);
 }

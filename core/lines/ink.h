@@ -10,11 +10,12 @@
 #include <stdint.h>
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "base/vec.h"
 
 /* `opacity`: rows of `width`, row 0 the lowest. `color`: of the ink, 0..1. `pixels`: RGBA, row 0 on top. */
-void zr_ink_lay(struct zr_team *team, const struct zr_cancel *cancel, const float *opacity, zr_vec3 color,
-                uint32_t width, uint32_t height, uint8_t *pixels);
+void zr_ink_lay(const struct zr_run *run, const float *opacity, zr_vec3 color, uint32_t width, uint32_t height,
+                uint8_t *pixels);
 
 #endif

@@ -1,6 +1,7 @@
 #include "lines/intersections.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 
 enum { CELLS_A_RANGE = 16, PAIRS_A_CANCEL_CHECK = 1 << 16 };
 
@@ -241,26 +242,26 @@ static bool sum_counts(const struct seeking *s, size_t cells)
     return sum < UINT32_MAX;
 }
 
-enum zr_status zr_intersections_add(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                    const struct zr_window_mesh *mesh, const struct zr_cells *cells,
-                                    struct zr_lines *lines)
+enum zr_status zr_intersections_add(const struct zr_run *run, const struct zr_window_mesh *mesh,
+                                    const struct zr_cells *cells, struct zr_lines *lines)
 {
     const size_t cell_count = (size_t)cells->columns * cells->rows;
-    struct seeking s = {.mesh = mesh, .cells = cells, .cancel = cancel};
+    struct seeking s = {.mesh = mesh, .cells = cells, .cancel = run->cancel};
     if (mesh->piece_count < 2) return ZR_OK;
-    s.pieces = zr_arena_alloc(arena, mesh->triangle_count, sizeof *s.pieces);
-    s.counts = zr_arena_alloc(arena, cell_count + 1, sizeof *s.counts);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    s.pieces = zr_arena_alloc(run->arena, mesh->triangle_count, sizeof *s.pieces);
+    s.counts = zr_arena_alloc(run->arena, cell_count + 1, sizeof *s.counts);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     set_pieces(&s);
-    zr_team_ranges(team, cell_count, CELLS_A_RANGE, count_range, &s);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    zr_team_ranges(run->team, cell_count, CELLS_A_RANGE, count_range, &s);
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     if (!sum_counts(&s, cell_count)) return ZR_NO_MEMORY;
     const uint32_t more = s.counts[cell_count];
-    struct zr_line *grown = zr_arena_grow(arena, lines->at, lines->count, (size_t)lines->count + more, sizeof *grown);
+    struct zr_line *grown =
+        zr_arena_grow(run->arena, lines->at, lines->count, (size_t)lines->count + more, sizeof *grown);
     if (!grown) return ZR_NO_MEMORY;
     s.lines = grown + lines->count;
-    zr_team_ranges(team, cell_count, CELLS_A_RANGE, make_range, &s);
+    zr_team_ranges(run->team, cell_count, CELLS_A_RANGE, make_range, &s);
     lines->at = grown;
     lines->count += more;
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

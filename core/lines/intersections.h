@@ -9,14 +9,14 @@
 #ifndef ZR_INTERSECTIONS_H
 #define ZR_INTERSECTIONS_H
 
+#include "base/run.h"
 #include "lines/cells.h"
 #include "lines/lines.h"
 
 /* Appends the lines to `lines`, which must be the newest allocation of the arena or is copied. Returns ZR_OK,
  * ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_intersections_add(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                    const struct zr_window_mesh *mesh, const struct zr_cells *cells,
-                                    struct zr_lines *lines);
+enum zr_status zr_intersections_add(const struct zr_run *run, const struct zr_window_mesh *mesh,
+                                    const struct zr_cells *cells, struct zr_lines *lines);
 
 /* Finds the line of two triangles, given by their corners. False if there is none. */
 bool zr_intersection_of(const struct zr_window_point *const a[3], const struct zr_window_point *const b[3],

@@ -1,6 +1,7 @@
 #include "lines/line_pieces.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "lines/cells.h"
 
 enum { PIECES_A_RANGE = 64, LINES_A_CANCEL_CHECK = 1 << 12, WEAK_PIXELS = 6 };
@@ -288,18 +289,17 @@ static void judge_range(void *context, size_t begin, size_t end)
         if (!m->out->at[i].is_hidden) judge(m, &m->out->at[i]);
 }
 
-enum zr_status zr_line_pieces_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                   const struct zr_window_mesh *mesh, const struct zr_cells *cells,
-                                   const struct zr_lines *lines, const struct zr_hidden_parts *hidden, bool with_hidden,
-                                   struct zr_line_pieces *out)
+enum zr_status zr_line_pieces_make(const struct zr_run *run, const struct zr_window_mesh *mesh,
+                                   const struct zr_cells *cells, const struct zr_lines *lines,
+                                   const struct zr_hidden_parts *hidden, bool with_hidden, struct zr_line_pieces *out)
 {
-    struct making m = {mesh, cells, cancel, lines, hidden, with_hidden, out};
+    struct making m = {mesh, cells, run->cancel, lines, hidden, with_hidden, out};
     *out = (struct zr_line_pieces){0};
     if (!add_all(&m)) return ZR_CANCELLED;
-    out->at = zr_arena_alloc(arena, out->count, sizeof *out->at);
+    out->at = zr_arena_alloc(run->arena, out->count, sizeof *out->at);
     if (!out->at) return ZR_NO_MEMORY;
     out->count = 0;
     if (!add_all(&m)) return ZR_CANCELLED;
-    zr_team_ranges(team, out->count, PIECES_A_RANGE, judge_range, &m);
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    zr_team_ranges(run->team, out->count, PIECES_A_RANGE, judge_range, &m);
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

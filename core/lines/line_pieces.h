@@ -11,6 +11,7 @@
 #ifndef ZR_LINE_PIECES_H
 #define ZR_LINE_PIECES_H
 
+#include "base/run.h"
 #include "lines/hidden_parts.h"
 
 enum { ZR_LINE_PIECE_PIXELS = 16 };
@@ -35,10 +36,9 @@ struct zr_line_pieces {
 };
 
 /* Makes the pieces; without `with_hidden`, the visible ones only. Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_line_pieces_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                   const struct zr_window_mesh *mesh, const struct zr_cells *cells,
-                                   const struct zr_lines *lines, const struct zr_hidden_parts *hidden, bool with_hidden,
-                                   struct zr_line_pieces *out);
+enum zr_status zr_line_pieces_make(const struct zr_run *run, const struct zr_window_mesh *mesh,
+                                   const struct zr_cells *cells, const struct zr_lines *lines,
+                                   const struct zr_hidden_parts *hidden, bool with_hidden, struct zr_line_pieces *out);
 
 static inline double zr_line_piece_length(const struct zr_line_piece *piece)
 {

@@ -1,6 +1,7 @@
 #include "lines/line_sheet.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "scene/parts/part_list.h"
 
 /* Pixels count as square if their sides differ by less than this share. */
@@ -67,20 +68,19 @@ static double pixel_length(const struct zr_drawing_desc *desc)
     return w / y;
 }
 
-enum zr_status zr_line_sheet_make(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_cancel *cancel,
-                                  const struct zr_drawing_desc *desc, const struct zr_drawing *drawing,
-                                  struct zr_line_sheet *out)
+enum zr_status zr_line_sheet_make(const struct zr_run *run, const struct zr_drawing_desc *desc,
+                                  const struct zr_drawing *drawing, struct zr_line_sheet *out)
 {
     const struct zr_polylines *lines = &drawing->polylines;
-    const struct zr_part_list list = zr_part_list_make(scratch, desc->scene, ZR_SHEET_PARTS_MOST);
+    const struct zr_part_list list = zr_part_list_make(run->scratch, desc->scene, ZR_SHEET_PARTS_MOST);
     struct sheet s = {.scene = desc->scene, .drawing = drawing, .part_count = list.count};
-    uint32_t *parts = zr_arena_alloc(arena, lines->count, sizeof *parts);
+    uint32_t *parts = zr_arena_alloc(run->arena, lines->count, sizeof *parts);
     *out = (struct zr_line_sheet){.lines = *lines, .parts = parts, .pixel = pixel_length(desc)};
-    out->lines.at = zr_arena_copy(arena, lines->at, lines->count * sizeof *lines->at);
-    out->lines.points = zr_arena_copy(arena, lines->points, lines->point_count * sizeof *lines->points);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    if (!list_first_parts(scratch, &s) || !copy_names(arena, &list, out) || !parts) return ZR_NO_MEMORY;
+    out->lines.at = zr_arena_copy(run->arena, lines->at, lines->count * sizeof *lines->at);
+    out->lines.points = zr_arena_copy(run->arena, lines->points, lines->point_count * sizeof *lines->points);
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
+    if (!list_first_parts(run->scratch, &s) || !copy_names(run->arena, &list, out) || !parts) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < lines->count; i++)
         parts[i] = part_of_line(&s, &lines->at[i]);
-    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+    return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }

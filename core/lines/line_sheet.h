@@ -7,6 +7,7 @@
 #ifndef ZR_LINE_SHEET_H
 #define ZR_LINE_SHEET_H
 
+#include "base/run.h"
 #include "lines/drawing.h"
 
 enum { ZR_SHEET_PARTS_MOST = 1000 };
@@ -21,8 +22,7 @@ struct zr_line_sheet {
 
 /* Copies a drawing of the scene to `arena`; the copy does not point to the scene. Returns ZR_OK, ZR_NO_MEMORY or
  * ZR_CANCELLED. */
-enum zr_status zr_line_sheet_make(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_cancel *cancel,
-                                  const struct zr_drawing_desc *desc, const struct zr_drawing *drawing,
-                                  struct zr_line_sheet *out);
+enum zr_status zr_line_sheet_make(const struct zr_run *run, const struct zr_drawing_desc *desc,
+                                  const struct zr_drawing *drawing, struct zr_line_sheet *out);
 
 #endif

@@ -1,6 +1,7 @@
 #include "lines/strokes.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 
 enum { ROWS_A_RANGE = 16, STROKES_A_CANCEL_CHECK = 1 << 12 };
 
@@ -140,15 +141,14 @@ static void draw_rows(void *context, size_t begin, size_t end)
     }
 }
 
-enum zr_status zr_strokes_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                               const struct zr_polylines *lines, float w, uint32_t width, uint32_t height,
-                               float *opacity)
+enum zr_status zr_strokes_draw(const struct zr_run *run, const struct zr_polylines *lines, float w, uint32_t width,
+                               uint32_t height, float *opacity)
 {
-    struct drawing d = {.cancel = cancel, .width = width, .height = height, .opacity = opacity};
+    struct drawing d = {.cancel = run->cancel, .width = width, .height = height, .opacity = opacity};
     add_polylines(&d, lines, w);
-    d.strokes = zr_arena_alloc(arena, d.count, sizeof *d.strokes);
+    d.strokes = zr_arena_alloc(run->arena, d.count, sizeof *d.strokes);
     if (!d.strokes) return ZR_NO_MEMORY;
     add_polylines(&d, lines, w);
-    zr_team_ranges(team, height, ROWS_A_RANGE, draw_rows, &d);
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    zr_team_ranges(run->team, height, ROWS_A_RANGE, draw_rows, &d);
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -8,6 +8,7 @@
 #ifndef ZR_STROKES_H
 #define ZR_STROKES_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "lines/polylines.h"
 
@@ -19,8 +20,7 @@ float zr_stroke_share(enum zr_stroke_class class);
 
 /* Writes the opacity of each pixel; row 0 is the lowest, rows have `width` values. `w`: of zr_stroke_width. Returns
  * ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_strokes_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                               const struct zr_polylines *lines, float w, uint32_t width, uint32_t height,
-                               float *opacity);
+enum zr_status zr_strokes_draw(const struct zr_run *run, const struct zr_polylines *lines, float w, uint32_t width,
+                               uint32_t height, float *opacity);
 
 #endif

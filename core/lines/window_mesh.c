@@ -1,6 +1,7 @@
 #include "lines/window_mesh.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 
 enum { ITEMS_A_RANGE = 2048 };
 
@@ -323,21 +324,22 @@ static bool make_arrays(struct zr_arena *arena, struct making *m)
     return zr_arena_ok(arena);
 }
 
-enum zr_status zr_window_mesh_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                   const struct zr_scene *scene, const struct zr_edge_mesh *tables,
-                                   const struct zr_window_view *view, struct zr_window_mesh *out)
+enum zr_status zr_window_mesh_make(const struct zr_run *run, const struct zr_scene *scene,
+                                   const struct zr_edge_mesh *tables, const struct zr_window_view *view,
+                                   struct zr_window_mesh *out)
 {
-    struct making m = {.scene = scene, .cancel = cancel, .mesh = out}, grown;
+    struct making m = {.scene = scene, .cancel = run->cancel, .mesh = out}, grown;
     *out = (struct zr_window_mesh){.view = *view};
-    m.instances = zr_arena_alloc(arena, scene->instance_count, sizeof *m.instances);
-    if (!m.instances || !place_instances(&m, tables) || !make_arrays(arena, &m)) return ZR_NO_MEMORY;
+    m.instances = zr_arena_alloc(run->arena, scene->instance_count, sizeof *m.instances);
+    if (!m.instances || !place_instances(&m, tables) || !make_arrays(run->arena, &m)) return ZR_NO_MEMORY;
     out->instances = m.instances;
-    zr_team_ranges(team, out->vertex_count, ITEMS_A_RANGE, place_vertices, &m);
-    if (!zr_is_cancelled(cancel)) zr_team_ranges(team, out->triangle_count, ITEMS_A_RANGE, place_triangles, &m);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    zr_team_ranges(run->team, out->vertex_count, ITEMS_A_RANGE, place_vertices, &m);
+    if (!zr_is_cancelled(run->cancel))
+        zr_team_ranges(run->team, out->triangle_count, ITEMS_A_RANGE, place_triangles, &m);
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     const uint32_t cut_triangles = count_cut(&m);
     if (cut_triangles > 0) {
-        if (!add_cuts(&m, &grown, arena, cut_triangles)) return ZR_NO_MEMORY;
+        if (!add_cuts(&m, &grown, run->arena, cut_triangles)) return ZR_NO_MEMORY;
         m = grown;
     }
     out->points = m.points;
@@ -348,5 +350,5 @@ enum zr_status zr_window_mesh_make(struct zr_arena *arena, struct zr_team *team,
     out->corners = (const uint32_t(*)[3])m.corners;
     out->traits = m.traits;
     out->sources = m.sources;
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -9,6 +9,7 @@
 #define ZR_WINDOW_MESH_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "lines/window_view.h"
 #include "mesh/edge_mesh.h"
@@ -47,9 +48,9 @@ struct zr_window_mesh {
 };
 
 /* Makes the arrays. `tables` has one edge table per mesh. Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_window_mesh_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                   const struct zr_scene *scene, const struct zr_edge_mesh *tables,
-                                   const struct zr_window_view *view, struct zr_window_mesh *out);
+enum zr_status zr_window_mesh_make(const struct zr_run *run, const struct zr_scene *scene,
+                                   const struct zr_edge_mesh *tables, const struct zr_window_view *view,
+                                   struct zr_window_mesh *out);
 
 /* Returns the instance of a triangle, an edge or a vertex by the number of its first one. `offset` is the offset of
  * that member in struct zr_drawn_instance. Takes logarithmic time. */

@@ -3,6 +3,7 @@
 #include <stdatomic.h>
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/sort.h"
 #include "mesh/ring_area.h"
 #include "mesh/shells.h"
@@ -202,31 +203,31 @@ static bool make_rooms(struct zr_arena *arena, const struct zr_mesh *mesh, uint3
     return true;
 }
 
-bool zr_closed_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                          const struct zr_mesh *mesh, uint8_t *closed, struct zr_shells *shells)
+bool zr_closed_parts_find(const struct zr_run *run, const struct zr_mesh *mesh, uint8_t *closed,
+                          struct zr_shells *shells)
 {
     const uint32_t parts = zr_mesh_part_count(mesh);
     memset(closed, 0, parts);
     if (shells) memset(shells, 0, parts * sizeof *shells);
     if (mesh->face_count == 0 || parts > INT32_MAX) return true;
-    const struct zr_mesh_extent extent = zr_mesh_extent_of(team, mesh);
+    const struct zr_mesh_extent extent = zr_mesh_extent_of(run->team, mesh);
     struct rooms rooms;
-    if (!make_rooms(arena, mesh, parts, shells, &extent, &rooms)) return false;
-    if (shells) zr_shell_forest_clear(&rooms.forest, cancel);
-    const struct zr_weld_input input = zr_weld_input_make(team, mesh, &extent, rooms.positions);
-    struct finding f = {.cancel = cancel,
+    if (!make_rooms(run->arena, mesh, parts, shells, &extent, &rooms)) return false;
+    if (shells) zr_shell_forest_clear(&rooms.forest, run->cancel);
+    const struct zr_weld_input input = zr_weld_input_make(run->team, mesh, &extent, rooms.positions);
+    struct finding f = {.cancel = run->cancel,
                         .mesh = mesh,
                         .vertices = rooms.vertices,
                         .ends = rooms.ends,
                         .closed = rooms.closed,
                         .forest = shells ? &rooms.forest : NULL};
-    f.vertex_count = zr_weld_make(team, cancel, &input, rooms.rest, rooms.vertices);
+    f.vertex_count = zr_weld_make(run->team, run->cancel, &input, rooms.rest, rooms.vertices);
     f.uses = rooms.rest;
-    if (f.vertex_count > 0) find(team, &f);
-    if (shells && !zr_is_cancelled(cancel))
-        zr_shells_count(&rooms.forest, cancel, (double *)(void *)rooms.rest, shells);
+    if (f.vertex_count > 0) find(run->team, &f);
+    if (shells && !zr_is_cancelled(run->cancel))
+        zr_shells_count(&rooms.forest, run->cancel, (double *)(void *)rooms.rest, shells);
     for (uint32_t p = 0; p < parts; p++)
         closed[p] = atomic_load_explicit(&rooms.closed[p], memory_order_relaxed);
-    zr_arena_trim(arena, rooms.all, rooms.size, 0, 1);
+    zr_arena_trim(run->arena, rooms.all, rooms.size, 0, 1);
     return true;
 }

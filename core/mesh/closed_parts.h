@@ -12,6 +12,7 @@
 #define ZR_CLOSED_PARTS_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "scene/scene.h"
@@ -22,8 +23,8 @@ struct zr_shells;
  * (mesh/shells.h), unless `shells` is NULL. Takes about 28 bytes per position of scratch from the arena, or 8 per
  * corner and 8 per position, and 5 per face for shells, and gives them back. False without memory. If cancelled,
  * returns early with undefined values. */
-bool zr_closed_parts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                          const struct zr_mesh *mesh, uint8_t *closed, struct zr_shells *shells);
+bool zr_closed_parts_find(const struct zr_run *run, const struct zr_mesh *mesh, uint8_t *closed,
+                          struct zr_shells *shells);
 
 /* Returns true if a hole runs in the same direction as the first ring. Ring 0 is the first one. */
 bool zr_ring_turns_as_first(const struct zr_mesh *mesh, const struct zr_rings *rings, uint32_t ring);

@@ -1,5 +1,6 @@
 #include "mesh/crease_normals.h"
 
+#include "base/run.h"
 #include "base/trig.h"
 #include "mesh/blended_normals.h"
 #include "mesh/weld.h"
@@ -253,36 +254,34 @@ static void find_rooms(struct zr_arena *arena, const struct zr_mesh_extent *exte
 }
 
 /* Makes those of a mesh that is not sectioned. */
-static zr_vec4 *make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                     const struct zr_mesh *mesh, float degrees)
+static zr_vec4 *make(const struct zr_run *run, const struct zr_mesh *mesh, float degrees)
 {
     const uint32_t corner_count = mesh->face_offsets[mesh->face_count];
-    struct creasing c = {.cancel = cancel,
+    struct creasing c = {.cancel = run->cancel,
                          .mesh = *mesh,
-                         .isa = zr_team_isa(team),
+                         .isa = zr_team_isa(run->team),
                          .corner_count = corner_count,
-                         .chunk_count = count_chunks_of(team, corner_count),
+                         .chunk_count = count_chunks_of(run->team, corner_count),
                          .cosine = least_cosine(degrees),
-                         .corners = zr_arena_alloc(arena, corner_count, sizeof *c.corners)};
-    const struct zr_mesh_extent extent = zr_mesh_extent_of(team, mesh);
+                         .corners = zr_arena_alloc(run->arena, corner_count, sizeof *c.corners)};
+    const struct zr_mesh_extent extent = zr_mesh_extent_of(run->team, mesh);
     struct rooms rooms = {0};
-    find_rooms(arena, &extent, &c, &rooms);
-    if (!zr_arena_ok(arena)) return NULL;
-    const struct zr_weld_input input = zr_weld_input_make(team, mesh, &extent, rooms.positions);
+    find_rooms(run->arena, &extent, &c, &rooms);
+    if (!zr_arena_ok(run->arena)) return NULL;
+    const struct zr_weld_input input = zr_weld_input_make(run->team, mesh, &extent, rooms.positions);
     c.mesh.positions = input.at;
-    c.vertex_count = zr_weld_make(team, cancel, &input, rooms.rest, rooms.vertices);
+    c.vertex_count = zr_weld_make(run->team, run->cancel, &input, rooms.rest, rooms.vertices);
     c.vertices = c.vertex_count < input.count ? rooms.vertices : NULL;
     c.slots = (uint32_t *)(void *)rooms.rest;
     c.counts = c.slots + corner_count;
     c.groups = mesh->face_groups ? rooms.vertices + mesh->position_count : NULL;
-    if (c.vertex_count > 0) make_normals(team, &c);
-    zr_arena_trim(arena, rooms.all, rooms.size, 0, 1);
+    if (c.vertex_count > 0) make_normals(run->team, &c);
+    zr_arena_trim(run->arena, rooms.all, rooms.size, 0, 1);
     return c.corners;
 }
 
-zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                const struct zr_mesh *mesh, float degrees)
+zr_vec4 *zr_crease_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, float degrees)
 {
-    if (!mesh->source) return make(arena, team, cancel, mesh, degrees);
-    return zr_blended_corner_normals(arena, cancel, mesh, make(arena, team, cancel, mesh->source->mesh, degrees));
+    if (!mesh->source) return make(run, mesh, degrees);
+    return zr_blended_corner_normals(run->arena, run->cancel, mesh, make(run, mesh->source->mesh, degrees));
 }

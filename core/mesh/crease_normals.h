@@ -14,6 +14,7 @@
 #define ZR_CREASE_NORMALS_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "scene/scene.h"
@@ -22,8 +23,7 @@
  * `degrees`: 0..180; a face at exactly this angle counts. Takes about 24 bytes per position and 4 per corner of scratch
  * from the arena and gives them back; with smoothing groups, 8 per corner. Returns NULL if the arena failed. If
  * cancelled, returns early with undefined normals. */
-zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                const struct zr_mesh *mesh, float degrees);
+zr_vec4 *zr_crease_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, float degrees);
 
 /* Writes the unit face normal and, in w, its weight to all corners of the faces first .. first + count - 1. `corners`
  * is indexed by slot. The positions must have w = 1. A kernel. */

@@ -1,6 +1,7 @@
 #include "mesh/edge_mesh.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/sort.h"
 #include "geometry/fans.h"
 #include "geometry/triangulate.h"
@@ -10,9 +11,7 @@
 enum { ITEMS_A_CANCEL_CHECK = 1 << 14, VERTICES_A_RANGE = 1 << 12 };
 
 struct making {
-    struct zr_arena *arena;
-    struct zr_team *team;
-    const struct zr_cancel *cancel;
+    const struct zr_run *run;
     const struct zr_mesh *mesh;
     const uint32_t *vertices; /* by position */
     uint32_t vertex_count, triangle_count;
@@ -26,7 +25,7 @@ struct making {
 
 static bool is_due(const struct making *m, size_t i)
 {
-    return i % ITEMS_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel);
+    return i % ITEMS_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->run->cancel);
 }
 
 /* ---- vertices ---- */
@@ -34,18 +33,18 @@ static bool is_due(const struct making *m, size_t i)
 static bool weld(struct making *m)
 {
     const struct zr_mesh *mesh = m->mesh;
-    const struct zr_mesh_extent extent = zr_mesh_extent_of(m->team, mesh);
-    uint32_t *vertices = zr_arena_alloc(m->arena, mesh->position_count, sizeof *vertices);
-    uint32_t *positions = zr_arena_alloc(m->arena, mesh->position_count, sizeof *positions);
-    struct zr_arena scratch = zr_arena_open_scratch(m->arena);
+    const struct zr_mesh_extent extent = zr_mesh_extent_of(m->run->team, mesh);
+    uint32_t *vertices = zr_arena_alloc(m->run->arena, mesh->position_count, sizeof *vertices);
+    uint32_t *positions = zr_arena_alloc(m->run->arena, mesh->position_count, sizeof *positions);
+    struct zr_arena scratch = zr_arena_open_scratch(m->run->arena);
     zr_vec4 *copy = extent.needs_copy ? zr_arena_alloc(&scratch, mesh->position_count, sizeof *copy) : NULL;
     uint64_t *room = zr_arena_alloc(&scratch, zr_weld_room(mesh->position_count), sizeof *room);
     if (vertices && positions && zr_arena_ok(&scratch)) {
-        const struct zr_weld_input input = zr_weld_input_make(m->team, mesh, &extent, copy);
-        m->vertex_count = zr_weld_make(m->team, m->cancel, &input, room, vertices);
+        const struct zr_weld_input input = zr_weld_input_make(m->run->team, mesh, &extent, copy);
+        m->vertex_count = zr_weld_make(m->run->team, m->run->cancel, &input, room, vertices);
     }
-    zr_arena_close_scratch(&scratch, m->arena);
-    if (!zr_arena_ok(m->arena)) return false;
+    zr_arena_close_scratch(&scratch, m->run->arena);
+    if (!zr_arena_ok(m->run->arena)) return false;
     for (uint32_t p = 0, next = 0; p < mesh->position_count && next < m->vertex_count; p++)
         if (vertices[p] == next) positions[next++] = p;
     m->vertices = vertices;
@@ -117,7 +116,7 @@ static void cut_rings(struct making *m, struct cutting *cutting, uint32_t face, 
         }
     }
     cutting->offsets[count] = corners;
-    cutting->triangulator.loops.cancel = m->cancel;
+    cutting->triangulator.loops.cancel = m->run->cancel;
     const uint32_t triangles =
         zr_triangulate(&cutting->triangulator, cutting->points, cutting->offsets, count, cutting->triangles);
     for (uint32_t i = 0; i < triangles; i++) {
@@ -130,10 +129,10 @@ static void cut_face(struct making *m, struct cutting *cutting, uint32_t face)
 {
     const struct zr_rings rings = zr_mesh_rings(m->mesh, face);
     if (zr_mesh_face_is_cap(m->mesh, face))
-        zr_cap_rings_group(m->mesh, &rings, m->cancel, cutting->groups);
+        zr_cap_rings_group(m->mesh, &rings, m->run->cancel, cutting->groups);
     else
         memset(cutting->groups, 0, rings.count * sizeof *cutting->groups);
-    for (uint32_t r = 0; r < rings.count && !zr_is_cancelled(m->cancel); r++)
+    for (uint32_t r = 0; r < rings.count && !zr_is_cancelled(m->run->cancel); r++)
         if (cutting->groups[r] == r) cut_rings(m, cutting, face, r);
 }
 
@@ -166,7 +165,7 @@ static bool add_faces(struct making *m, struct zr_arena *scratch, const struct z
  * edges in the same order. Vertices without a triangle are left out. */
 static bool number_by_use(struct making *m)
 {
-    struct zr_arena scratch = zr_arena_open_scratch(m->arena);
+    struct zr_arena scratch = zr_arena_open_scratch(m->run->arena);
     uint32_t *numbers = zr_arena_alloc(&scratch, m->vertex_count, sizeof *numbers);
     uint32_t *positions = zr_arena_alloc(&scratch, m->vertex_count, sizeof *positions);
     const bool ok = zr_arena_ok(&scratch);
@@ -185,23 +184,23 @@ static bool number_by_use(struct making *m)
         memcpy(m->positions, positions, used * sizeof *positions);
         m->vertex_count = used;
     }
-    zr_arena_close_scratch(&scratch, m->arena);
+    zr_arena_close_scratch(&scratch, m->run->arena);
     return ok;
 }
 
 static bool make_triangles(struct making *m)
 {
     const size_t most = triangles_most(m->mesh);
-    m->corners = zr_arena_alloc(m->arena, most, 3 * sizeof *m->corners);
-    m->slots = zr_arena_alloc(m->arena, most, 3 * sizeof *m->slots);
-    m->faces = zr_arena_alloc(m->arena, most, sizeof *m->faces);
-    struct zr_arena scratch = zr_arena_open_scratch(m->arena);
+    m->corners = zr_arena_alloc(m->run->arena, most, 3 * sizeof *m->corners);
+    m->slots = zr_arena_alloc(m->run->arena, most, 3 * sizeof *m->slots);
+    m->faces = zr_arena_alloc(m->run->arena, most, sizeof *m->faces);
+    struct zr_arena scratch = zr_arena_open_scratch(m->run->arena);
+    const struct zr_run inner = zr_run_in(m->run, &scratch);
     struct zr_fans fans;
-    if (zr_arena_ok(m->arena) && zr_fans_make(&scratch, m->team, m->cancel, m->mesh, &fans) &&
-        !zr_is_cancelled(m->cancel))
+    if (zr_arena_ok(m->run->arena) && zr_fans_make(&inner, m->mesh, &fans) && !zr_is_cancelled(m->run->cancel))
         add_faces(m, &scratch, &fans);
-    zr_arena_close_scratch(&scratch, m->arena);
-    return zr_arena_ok(m->arena) && number_by_use(m);
+    zr_arena_close_scratch(&scratch, m->run->arena);
+    return zr_arena_ok(m->run->arena) && number_by_use(m);
 }
 
 /* ---- edges ---- */
@@ -227,7 +226,7 @@ static void list_sides(struct making *m)
         m->ends[lower_of(m, s)]++;
     for (uint32_t v = 0, sum = 0; v <= m->vertex_count; v++)
         m->ends[v] = sum += m->ends[v];
-    if (zr_is_cancelled(m->cancel)) return;
+    if (zr_is_cancelled(m->run->cancel)) return;
     for (uint32_t s = sides; s-- > 0 && !is_due(m, s);)
         m->entries[--m->ends[lower_of(m, s)]] = (uint64_t)higher_of(m, s) << 32 | s;
 }
@@ -235,7 +234,7 @@ static void list_sides(struct making *m)
 static void sort_lists(void *context, size_t begin, size_t end)
 {
     const struct making *m = context;
-    if (zr_is_cancelled(m->cancel)) return;
+    if (zr_is_cancelled(m->run->cancel)) return;
     for (size_t v = begin; v < end; v++) {
         const uint32_t first = m->ends[v], count = m->ends[v + 1] - first;
         zr_sort_u64(m->entries + first, count);
@@ -248,7 +247,7 @@ static void sort_lists(void *context, size_t begin, size_t end)
 static void write_edges(void *context, size_t begin, size_t end)
 {
     const struct making *m = context;
-    if (zr_is_cancelled(m->cancel)) return;
+    if (zr_is_cancelled(m->run->cancel)) return;
     for (size_t v = begin; v < end; v++) {
         uint32_t edge = m->counts[v];
         for (uint32_t i = m->ends[v]; i < m->ends[v + 1]; i++) {
@@ -264,29 +263,30 @@ static void write_edges(void *context, size_t begin, size_t end)
 static enum zr_status make_edges(struct making *m, struct zr_edge_mesh *out)
 {
     const size_t sides = 3 * (size_t)m->triangle_count;
-    m->sides = zr_arena_alloc(m->arena, sides, sizeof *m->sides);
-    m->side_edges = zr_arena_alloc(m->arena, sides, sizeof *m->side_edges);
-    m->edges = zr_arena_alloc(m->arena, sides + 1, sizeof *m->edges);
-    struct zr_arena scratch = zr_arena_open_scratch(m->arena);
+    m->sides = zr_arena_alloc(m->run->arena, sides, sizeof *m->sides);
+    m->side_edges = zr_arena_alloc(m->run->arena, sides, sizeof *m->side_edges);
+    m->edges = zr_arena_alloc(m->run->arena, sides + 1, sizeof *m->edges);
+    struct zr_arena scratch = zr_arena_open_scratch(m->run->arena);
     m->ends = zr_arena_alloc(&scratch, (size_t)m->vertex_count + 1, sizeof *m->ends);
     m->counts = zr_arena_alloc(&scratch, m->vertex_count, sizeof *m->counts);
     m->entries = zr_arena_alloc(&scratch, sides, sizeof *m->entries);
-    if (zr_arena_ok(m->arena) && zr_arena_ok(&scratch)) {
+    if (zr_arena_ok(m->run->arena) && zr_arena_ok(&scratch)) {
         list_sides(m);
-        if (!zr_is_cancelled(m->cancel)) zr_team_ranges(m->team, m->vertex_count, VERTICES_A_RANGE, sort_lists, m);
-        if (!zr_is_cancelled(m->cancel)) {
+        if (!zr_is_cancelled(m->run->cancel))
+            zr_team_ranges(m->run->team, m->vertex_count, VERTICES_A_RANGE, sort_lists, m);
+        if (!zr_is_cancelled(m->run->cancel)) {
             for (uint32_t v = 0; v < m->vertex_count; v++) {
                 const uint32_t own = m->counts[v];
                 m->counts[v] = out->edge_count;
                 out->edge_count += own;
             }
-            zr_team_ranges(m->team, m->vertex_count, VERTICES_A_RANGE, write_edges, m);
+            zr_team_ranges(m->run->team, m->vertex_count, VERTICES_A_RANGE, write_edges, m);
             m->edges[out->edge_count] = (struct zr_mesh_edge){.first_side = (uint32_t)sides};
         }
     }
-    zr_arena_close_scratch(&scratch, m->arena);
-    zr_arena_trim(m->arena, m->edges, sides + 1, (size_t)out->edge_count + 1, sizeof *m->edges);
-    return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : zr_arena_ok(m->arena) ? ZR_OK : ZR_NO_MEMORY;
+    zr_arena_close_scratch(&scratch, m->run->arena);
+    zr_arena_trim(m->run->arena, m->edges, sides + 1, (size_t)out->edge_count + 1, sizeof *m->edges);
+    return zr_is_cancelled(m->run->cancel) ? ZR_CANCELLED : zr_arena_ok(m->run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 /* ---- connected pieces ---- */
@@ -313,8 +313,8 @@ static void join_triangles(const struct making *m, uint32_t edge_count, uint32_t
 
 static enum zr_status make_pieces(struct making *m, struct zr_edge_mesh *out)
 {
-    uint32_t *pieces = zr_arena_alloc(m->arena, m->triangle_count, sizeof *pieces);
-    struct zr_arena scratch = zr_arena_open_scratch(m->arena);
+    uint32_t *pieces = zr_arena_alloc(m->run->arena, m->triangle_count, sizeof *pieces);
+    struct zr_arena scratch = zr_arena_open_scratch(m->run->arena);
     uint32_t *parents = zr_arena_alloc(&scratch, m->triangle_count, sizeof *parents);
     if (pieces && parents) {
         join_triangles(m, out->edge_count, parents);
@@ -323,22 +323,21 @@ static enum zr_status make_pieces(struct making *m, struct zr_edge_mesh *out)
             pieces[t] = root == t ? out->piece_count++ : pieces[root];
         }
     }
-    zr_arena_close_scratch(&scratch, m->arena);
+    zr_arena_close_scratch(&scratch, m->run->arena);
     out->pieces = pieces;
-    return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : zr_arena_ok(m->arena) ? ZR_OK : ZR_NO_MEMORY;
+    return zr_is_cancelled(m->run->cancel) ? ZR_CANCELLED : zr_arena_ok(m->run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 /* ---- all steps ---- */
 
-enum zr_status zr_edge_mesh_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                 const struct zr_mesh *mesh, struct zr_edge_mesh *out)
+enum zr_status zr_edge_mesh_make(const struct zr_run *run, const struct zr_mesh *mesh, struct zr_edge_mesh *out)
 {
     static const struct zr_mesh_edge no_edge = {0, 0, 0};
-    struct making m = {.arena = arena, .team = team, .cancel = cancel, .mesh = mesh};
+    struct making m = {.run = run, .mesh = mesh};
     *out = (struct zr_edge_mesh){.edges = &no_edge};
     if (mesh->face_count == 0) return ZR_OK;
     if (!weld(&m) || (m.vertex_count > 0 && !make_triangles(&m))) return ZR_NO_MEMORY;
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     enum zr_status status = make_edges(&m, out);
     if (status == ZR_OK) status = make_pieces(&m, out);
     out->vertex_count = m.vertex_count;

@@ -11,6 +11,7 @@
 #define ZR_EDGE_MESH_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "scene/scene.h"
@@ -35,8 +36,7 @@ struct zr_edge_mesh {
 
 /* Makes the table in the arena. Takes about 110 bytes per triangle, of which 52 stay. Returns ZR_OK, ZR_NO_MEMORY or
  * ZR_CANCELLED. */
-enum zr_status zr_edge_mesh_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                 const struct zr_mesh *mesh, struct zr_edge_mesh *out);
+enum zr_status zr_edge_mesh_make(const struct zr_run *run, const struct zr_mesh *mesh, struct zr_edge_mesh *out);
 
 static inline uint32_t zr_edge_side_count(const struct zr_edge_mesh *mesh, uint32_t edge)
 {

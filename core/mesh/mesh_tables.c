@@ -1,6 +1,7 @@
 #include "mesh/mesh_tables.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
 #include "mesh/vertex_normals.h"
@@ -17,53 +18,49 @@ static bool have_room(const struct zr_arena *arena, const struct zr_scene *scene
     return corners <= zr_arena_left(arena) / 8 / BYTES_A_CORNER;
 }
 
-static void make_creases(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_cancel *cancel, struct zr_mesh_tables *out)
+static void make_creases(const struct zr_run *run, const struct zr_scene *scene, struct zr_mesh_tables *out)
 {
-    const zr_vec4 **creases = zr_arena_zero(arena, scene->mesh_count, sizeof *creases);
+    const zr_vec4 **creases = zr_arena_zero(run->arena, scene->mesh_count, sizeof *creases);
     for (uint32_t i = 0; creases && i < scene->mesh_count; i++)
         if (zr_mesh_lacks_normals(&scene->meshes[i]) && scene->meshes[i].face_count > 0)
-            creases[i] = zr_crease_normals_make(arena, team, cancel, &scene->meshes[i], scene->picture.crease_degrees);
+            creases[i] = zr_crease_normals_make(run, &scene->meshes[i], scene->picture.crease_degrees);
     out->creases = creases;
 }
 
-static void make_normals(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_cancel *cancel, struct zr_mesh_tables *out)
+static void make_normals(const struct zr_run *run, const struct zr_scene *scene, struct zr_mesh_tables *out)
 {
-    const zr_vec4 **normals = zr_arena_zero(arena, scene->mesh_count, sizeof *normals);
+    const zr_vec4 **normals = zr_arena_zero(run->arena, scene->mesh_count, sizeof *normals);
     for (uint32_t i = 0; normals && i < scene->mesh_count; i++)
         if (scene->meshes[i].face_count > 0 && zr_mesh_is_lit_by_computed_normals(scene, &scene->meshes[i]))
-            normals[i] = zr_vertex_normals_make(arena, team, cancel, &scene->meshes[i]);
+            normals[i] = zr_vertex_normals_make(run, &scene->meshes[i]);
     out->normals = normals;
 }
 
-static enum zr_status make_edges(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                 const struct zr_cancel *cancel, struct zr_mesh_tables *out)
+static enum zr_status make_edges(const struct zr_run *run, const struct zr_scene *scene, struct zr_mesh_tables *out)
 {
-    struct zr_edge_mesh *edges = zr_arena_alloc(arena, scene->mesh_count, sizeof *edges);
+    struct zr_edge_mesh *edges = zr_arena_alloc(run->arena, scene->mesh_count, sizeof *edges);
     enum zr_status status = edges ? ZR_OK : ZR_NO_MEMORY;
     for (uint32_t i = 0; status == ZR_OK && i < scene->mesh_count; i++)
-        status = zr_edge_mesh_make(arena, team, cancel, &scene->meshes[i], &edges[i]);
+        status = zr_edge_mesh_make(run, &scene->meshes[i], &edges[i]);
     out->edges = edges;
     return status;
 }
 
-enum zr_status zr_mesh_tables_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                   const struct zr_cancel *cancel, struct zr_mesh_tables *out)
+enum zr_status zr_mesh_tables_make(const struct zr_run *run, const struct zr_scene *scene, struct zr_mesh_tables *out)
 {
     const struct zr_picture *picture = &scene->picture;
     enum zr_status status = ZR_OK;
     *out = (struct zr_mesh_tables){
         .meshes = scene->meshes, .count = scene->mesh_count, .crease_degrees = picture->crease_degrees};
-    if (!zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR) || !have_room(arena, scene)) return ZR_OK;
+    if (!zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR) || !have_room(run->arena, scene)) return ZR_OK;
     if (picture->is_linear) {
-        make_creases(arena, team, scene, cancel, out);
-        if (picture->edges.is_on && picture->edges.is_from_mesh) status = make_edges(arena, team, scene, cancel, out);
+        make_creases(run, scene, out);
+        if (picture->edges.is_on && picture->edges.is_from_mesh) status = make_edges(run, scene, out);
     } else {
-        make_normals(arena, team, scene, cancel, out);
+        make_normals(run, scene, out);
     }
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    return zr_arena_ok(arena) ? status : ZR_NO_MEMORY;
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
+    return zr_arena_ok(run->arena) ? status : ZR_NO_MEMORY;
 }
 
 /* True if a mesh has the faces of that of the tables, even if a change of the scene has copied it. */

@@ -7,6 +7,7 @@
 #ifndef ZR_MESH_TABLES_H
 #define ZR_MESH_TABLES_H
 
+#include "base/run.h"
 #include "mesh/edge_mesh.h"
 
 struct zr_mesh_tables {
@@ -20,8 +21,7 @@ struct zr_mesh_tables {
 
 /* Makes the tables that the scene's picture needs, as far as they fit into an eighth of the memory that is left.
  * Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_mesh_tables_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                   const struct zr_cancel *cancel, struct zr_mesh_tables *out);
+enum zr_status zr_mesh_tables_make(const struct zr_run *run, const struct zr_scene *scene, struct zr_mesh_tables *out);
 
 /* Returns the table of a mesh of a scene; NULL if there is none. `tables` may be NULL. */
 const zr_vec4 *zr_mesh_table_creases(const struct zr_mesh_tables *tables, const struct zr_scene *scene, uint32_t mesh);

@@ -1,6 +1,7 @@
 #include "mesh/part_facts.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "mesh/closed_parts.h"
 #include "mesh/least_wall.h"
 #include "mesh/world_place.h"
@@ -239,18 +240,17 @@ static void sort_faces(struct zr_arena *arena, const struct zr_mesh *mesh, const
     out->faces = faces;
 }
 
-static enum zr_status sort_meshes(struct zr_arena *arena, struct zr_team *team, const struct measuring *m,
-                                  struct sorted_mesh *meshes)
+static enum zr_status sort_meshes(const struct zr_run *run, const struct measuring *m, struct sorted_mesh *meshes)
 {
     for (uint32_t p = 0; p < m->parts->count; p++) {
         const uint32_t number = m->parts->at[p].mesh;
         const struct zr_mesh *mesh = &m->scene->meshes[number];
         struct sorted_mesh *sorted = &meshes[number];
         if (sorted->closed) continue;
-        sorted->closed = zr_arena_alloc(arena, zr_mesh_part_count(mesh), 1);
-        sorted->shells = zr_arena_alloc(arena, zr_mesh_part_count(mesh), sizeof *sorted->shells);
-        if (mesh->face_parts) sort_faces(arena, mesh, m->cancel, sorted);
-        if (!zr_arena_ok(arena) || !zr_closed_parts_find(arena, team, m->cancel, mesh, sorted->closed, sorted->shells))
+        sorted->closed = zr_arena_alloc(run->arena, zr_mesh_part_count(mesh), 1);
+        sorted->shells = zr_arena_alloc(run->arena, zr_mesh_part_count(mesh), sizeof *sorted->shells);
+        if (mesh->face_parts) sort_faces(run->arena, mesh, m->cancel, sorted);
+        if (!zr_arena_ok(run->arena) || !zr_closed_parts_find(run, mesh, sorted->closed, sorted->shells))
             return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
         if (zr_is_cancelled(m->cancel)) return ZR_CANCELLED;
     }
@@ -370,19 +370,18 @@ static struct zr_part_facts facts_of(const struct measuring *m, const struct zr_
     return facts;
 }
 
-static enum zr_status find(struct zr_arena *arena, struct zr_team *team, struct measuring *m,
-                           struct zr_part_facts *facts)
+static enum zr_status find(const struct zr_run *run, struct measuring *m, struct zr_part_facts *facts)
 {
-    struct sorted_mesh *meshes = zr_arena_zero(arena, m->scene->mesh_count, sizeof *meshes);
+    struct sorted_mesh *meshes = zr_arena_zero(run->arena, m->scene->mesh_count, sizeof *meshes);
     if (!meshes) return ZR_NO_MEMORY;
     m->meshes = meshes;
-    const enum zr_status status = sort_meshes(arena, team, m, meshes);
+    const enum zr_status status = sort_meshes(run, m, meshes);
     if (status != ZR_OK) return status;
     const size_t count = list_tasks(m, NULL);
-    m->tasks = zr_arena_alloc(arena, count, sizeof *m->tasks);
+    m->tasks = zr_arena_alloc(run->arena, count, sizeof *m->tasks);
     if (!m->tasks) return ZR_NO_MEMORY;
     list_tasks(m, m->tasks);
-    zr_team_ranges(team, count, 1, run_range, m);
+    zr_team_ranges(run->team, count, 1, run_range, m);
     uint64_t steps = ZR_WALL_STEPS_MIN;
     for (uint32_t i = 0; i < count; i++)
         steps += (uint64_t)ZR_WALL_STEPS * (m->tasks[i].end - m->tasks[i].begin);
@@ -393,15 +392,14 @@ static enum zr_status find(struct zr_arena *arena, struct zr_team *team, struct 
         for (; task < count && m->tasks[task].part == p; task++)
             add_sums(&sums, &m->tasks[task].sums);
         facts[p] = facts_of(m, &m->parts->at[p], &sums);
-        find_wall(arena, m, &m->parts->at[p], &sums, &steps, &facts[p]);
+        find_wall(run->arena, m, &m->parts->at[p], &sums, &steps, &facts[p]);
     }
     return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
-enum zr_status zr_part_facts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                  const struct zr_scene *scene, const struct zr_part_list *parts,
-                                  struct zr_part_facts *facts)
+enum zr_status zr_part_facts_find(const struct zr_run *run, const struct zr_scene *scene,
+                                  const struct zr_part_list *parts, struct zr_part_facts *facts)
 {
-    struct measuring m = {.scene = scene, .parts = parts, .cancel = cancel};
-    return find(arena, team, &m, facts);
+    struct measuring m = {.scene = scene, .parts = parts, .cancel = run->cancel};
+    return find(run, &m, facts);
 }

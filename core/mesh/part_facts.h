@@ -14,6 +14,7 @@
 #define ZR_PART_FACTS_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "mesh/least_wall.h"
@@ -42,8 +43,7 @@ struct zr_part_facts {
 
 /* Fills in facts[0 .. parts->count - 1]. Leaves up to 4 bytes per face, and one task per ZR_FACES_A_TASK faces, in the
  * arena. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_part_facts_find(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                  const struct zr_scene *scene, const struct zr_part_list *parts,
-                                  struct zr_part_facts *facts);
+enum zr_status zr_part_facts_find(const struct zr_run *run, const struct zr_scene *scene,
+                                  const struct zr_part_list *parts, struct zr_part_facts *facts);
 
 #endif

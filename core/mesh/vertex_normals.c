@@ -1,5 +1,6 @@
 #include "mesh/vertex_normals.h"
 
+#include "base/run.h"
 #include "geometry/face.h"
 #include "mesh/blended_normals.h"
 #include "mesh/face_normals.h"
@@ -77,30 +78,28 @@ static uint32_t count_parts(struct zr_team *team, const struct zr_mesh *mesh)
 }
 
 /* Makes those of a mesh that is not sectioned. */
-static zr_vec4 *make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                     const struct zr_mesh *mesh)
+static zr_vec4 *make(const struct zr_run *run, const struct zr_mesh *mesh)
 {
     const uint32_t at_once = mesh->face_count < FACES_AT_ONCE ? mesh->face_count : FACES_AT_ONCE;
     struct summing s = {.mesh = mesh,
-                        .isa = zr_team_isa(team),
+                        .isa = zr_team_isa(run->team),
                         .only_triangles = zr_mesh_is_of_triangles(mesh),
-                        .normals = zr_arena_alloc(arena, at_once, sizeof *s.normals),
-                        .part_count = count_parts(team, mesh),
-                        .sums = zr_arena_zero(arena, mesh->position_count, sizeof *s.sums)};
-    if (!zr_arena_ok(arena)) return NULL;
-    for (; s.first < mesh->face_count && !zr_is_cancelled(cancel); s.first += s.count) {
+                        .normals = zr_arena_alloc(run->arena, at_once, sizeof *s.normals),
+                        .part_count = count_parts(run->team, mesh),
+                        .sums = zr_arena_zero(run->arena, mesh->position_count, sizeof *s.sums)};
+    if (!zr_arena_ok(run->arena)) return NULL;
+    for (; s.first < mesh->face_count && !zr_is_cancelled(run->cancel); s.first += s.count) {
         const uint32_t left = mesh->face_count - s.first;
         s.count = left < at_once ? left : at_once;
-        zr_team_ranges(team, s.count, FACES_A_RANGE, make_faces, &s);
-        zr_team_ranges(team, s.part_count, 1, add_parts, &s);
+        zr_team_ranges(run->team, s.count, FACES_A_RANGE, make_faces, &s);
+        zr_team_ranges(run->team, s.part_count, 1, add_parts, &s);
     }
-    zr_team_ranges(team, mesh->position_count, VERTICES_A_RANGE, normalize, &s);
+    zr_team_ranges(run->team, mesh->position_count, VERTICES_A_RANGE, normalize, &s);
     return s.sums;
 }
 
-zr_vec4 *zr_vertex_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                const struct zr_mesh *mesh)
+zr_vec4 *zr_vertex_normals_make(const struct zr_run *run, const struct zr_mesh *mesh)
 {
-    if (!mesh->source) return make(arena, team, cancel, mesh);
-    return zr_blended_position_normals(arena, cancel, mesh, make(arena, team, cancel, mesh->source->mesh));
+    if (!mesh->source) return make(run, mesh);
+    return zr_blended_position_normals(run->arena, run->cancel, mesh, make(run, mesh->source->mesh));
 }

@@ -7,6 +7,7 @@
 #define ZR_VERTEX_NORMALS_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "scene/scene.h"
@@ -14,8 +15,7 @@
 /* Returns one unit normal per position, with w = 0: the sum of the normals of the faces around it (face_normals.h), or
  * 0. Takes up to 256 KiB of scratch from the arena as well. Returns NULL if the arena failed. If cancelled (checked
  * several times per million faces), returns early with undefined normals. */
-zr_vec4 *zr_vertex_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                const struct zr_mesh *mesh);
+zr_vec4 *zr_vertex_normals_make(const struct zr_run *run, const struct zr_mesh *mesh);
 
 /* Vertices are dealt to `count` parts, a power of two, in runs of this length: neighbours share cache lines. */
 enum { ZR_PART_VERTICES = 64 };

@@ -4,6 +4,7 @@
 
 #include "base/fast.h"
 #include "base/prefetch.h"
+#include "base/run.h"
 #include "geometry/geometry.h"
 #include "raster/line_draw.h"
 #include "raster/oddeven.h"
@@ -351,16 +352,15 @@ static bool list_fragments(const struct zr_visibility *visibility, uint32_t numb
 
 /* ---- binning ---- */
 
-enum zr_status zr_binned_scene_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+enum zr_status zr_binned_scene_make(const struct zr_run *run, const struct zr_geometry *geometry,
                                     const struct zr_prepaint *prepaints, uint32_t width, uint32_t height,
-                                    const struct zr_base *base, const struct zr_cancel *cancel,
-                                    struct zr_binned_scene *binned)
+                                    const struct zr_base *base, struct zr_binned_scene *binned)
 {
     binned->visibility = (struct zr_visibility){.tile = draw_tile, .has_any = has_any, .fragments = list_fragments};
     binned->geometry = geometry;
     binned->prepaints = prepaints;
-    binned->halfspace = zr_halfspace_of(zr_team_isa(team));
-    binned->draw_small = zr_small_of(zr_team_isa(team));
+    binned->halfspace = zr_halfspace_of(zr_team_isa(run->team));
+    binned->draw_small = zr_small_of(zr_team_isa(run->team));
     binned->width = width;
     binned->height = height;
     binned->base = base;
@@ -368,9 +368,8 @@ enum zr_status zr_binned_scene_make(struct zr_arena *arena, struct zr_team *team
     for (int i = 0; status == ZR_OK && i < ZR_ALPHA_COUNT; i++) {
         const enum zr_alpha_mode mode = (enum zr_alpha_mode)i;
         struct zr_mode_bins *mode_bins = &binned->modes[mode];
-        status = zr_bins_build(arena, team, geometry, mode, prepaints, width, height, cancel, &mode_bins->bins);
-        if (status == ZR_OK)
-            status = zr_misc_bins_build(arena, geometry, mode, width, height, cancel, &mode_bins->misc);
+        status = zr_bins_build(run, geometry, mode, prepaints, width, height, &mode_bins->bins);
+        if (status == ZR_OK) status = zr_misc_bins_build(run, geometry, mode, width, height, &mode_bins->misc);
         if (status == ZR_OK) zr_counts_add(&binned->visibility.counts, &mode_bins->bins.counts);
     }
     return status;

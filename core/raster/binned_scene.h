@@ -6,6 +6,7 @@
 #ifndef ZR_BINNED_SCENE_H
 #define ZR_BINNED_SCENE_H
 
+#include "base/run.h"
 #include "raster/bins.h"
 #include "raster/halfspace.h"
 #include "raster/misc_bins.h"
@@ -32,9 +33,8 @@ struct zr_binned_scene {
 
 /* Bins the geometry. prepaints: one per draw; NULL: none. Adds the counts of draws that are not `counted`. Returns
  * ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
-enum zr_status zr_binned_scene_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+enum zr_status zr_binned_scene_make(const struct zr_run *run, const struct zr_geometry *geometry,
                                     const struct zr_prepaint *prepaints, uint32_t width, uint32_t height,
-                                    const struct zr_base *base, const struct zr_cancel *cancel,
-                                    struct zr_binned_scene *binned);
+                                    const struct zr_base *base, struct zr_binned_scene *binned);
 
 #endif

@@ -1,6 +1,7 @@
 #include "raster/bins.h"
 
 #include "base/prefetch.h"
+#include "base/run.h"
 #include "geometry/face.h"
 #include "geometry/geometry.h"
 
@@ -215,11 +216,10 @@ static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel
     return gather_large(bins) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                             enum zr_alpha_mode mode, const struct zr_prepaint *prepaints, uint32_t width,
-                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
+enum zr_status zr_bins_build(const struct zr_run *run, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
+                             const struct zr_prepaint *prepaints, uint32_t width, uint32_t height, struct zr_bins *bins)
 {
-    *bins = (struct zr_bins){.arena = arena,
+    *bins = (struct zr_bins){.arena = run->arena,
                              .geometry = geometry,
                              .mode = mode,
                              .prepaints = prepaints,
@@ -227,7 +227,7 @@ enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const
                              .height = height,
                              .columns = zr_tile_across(width)};
     pthread_mutex_init(&bins->arena_lock, NULL);
-    enum zr_status status = build(team, cancel, bins);
+    enum zr_status status = build(run->team, run->cancel, bins);
     pthread_mutex_destroy(&bins->arena_lock);
     return status;
 }

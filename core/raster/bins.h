@@ -15,6 +15,7 @@
 #include <pthread.h>
 
 #include "base/isa.h"
+#include "base/run.h"
 #include "geometry/geometry.h"
 #include "raster/prepaint.h"
 #include "raster/setup.h"
@@ -100,9 +101,9 @@ struct zr_bins {
 };
 
 /* Bins the plain draws whose material has the alpha mode `mode`. Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
-enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                             enum zr_alpha_mode mode, const struct zr_prepaint *prepaints, uint32_t width,
-                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins);
+enum zr_status zr_bins_build(const struct zr_run *run, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
+                             const struct zr_prepaint *prepaints, uint32_t width, uint32_t height,
+                             struct zr_bins *bins);
 
 /* ---- for the kernel ---- */
 

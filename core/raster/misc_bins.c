@@ -1,5 +1,6 @@
 #include "raster/misc_bins.h"
 
+#include "base/run.h"
 #include "raster/line_draw.h"
 #include "raster/primitive.h"
 
@@ -90,9 +91,8 @@ static bool add_all(struct binning *b, const struct zr_cancel *cancel)
 }
 
 /* Counting sort: counts, then offsets, then entries, each in the order of the scene. */
-enum zr_status zr_misc_bins_build(struct zr_arena *arena, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
-                                  uint32_t width, uint32_t height, const struct zr_cancel *cancel,
-                                  struct zr_misc_bins *bins)
+enum zr_status zr_misc_bins_build(const struct zr_run *run, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
+                                  uint32_t width, uint32_t height, struct zr_misc_bins *bins)
 {
     bool any = false;
     for (uint32_t i = 0; i < geometry->draw_count && !any; i++)
@@ -102,19 +102,19 @@ enum zr_status zr_misc_bins_build(struct zr_arena *arena, const struct zr_geomet
     uint32_t columns = zr_tile_across(width);
     size_t tiles = zr_tile_count(width, height), total = 0;
     struct binning binning = {.geometry = geometry, .mode = mode, .width = width, .height = height, .columns = columns};
-    binning.offsets = zr_arena_zero(arena, tiles + 1, sizeof *binning.offsets);
+    binning.offsets = zr_arena_zero(run->arena, tiles + 1, sizeof *binning.offsets);
     if (!binning.offsets) return ZR_NO_MEMORY;
-    if (!add_all(&binning, cancel)) return ZR_CANCELLED;
+    if (!add_all(&binning, run->cancel)) return ZR_CANCELLED;
     for (size_t i = 0; i <= tiles; i++) {
         size_t count = binning.offsets[i];
         binning.offsets[i] = total;
         total += count;
     }
-    binning.entries = zr_arena_alloc(arena, total, sizeof *binning.entries);
-    binning.large = zr_arena_alloc(arena, binning.large_count, sizeof *binning.large);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    binning.entries = zr_arena_alloc(run->arena, total, sizeof *binning.entries);
+    binning.large = zr_arena_alloc(run->arena, binning.large_count, sizeof *binning.large);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     binning.large_count = 0;
-    if (!add_all(&binning, cancel)) return ZR_CANCELLED;
+    if (!add_all(&binning, run->cancel)) return ZR_CANCELLED;
     /* Each offset has advanced to the end of its tile, the start of the next one. */
     for (size_t i = tiles; i > 0; i--)
         binning.offsets[i] = binning.offsets[i - 1];

@@ -10,6 +10,7 @@
 #include "raster/tile.h"
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "geometry/geometry.h"
 
 enum { ZR_MISC_BINS_TILES = 4 };
@@ -24,8 +25,7 @@ struct zr_misc_bins {
 
 /* Bins the primitives whose material has the alpha mode `mode`, except those without a pixel centre. Returns ZR_OK,
  * ZR_CANCELLED, or ZR_NO_MEMORY if the arena failed. */
-enum zr_status zr_misc_bins_build(struct zr_arena *arena, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
-                                  uint32_t width, uint32_t height, const struct zr_cancel *cancel,
-                                  struct zr_misc_bins *bins);
+enum zr_status zr_misc_bins_build(const struct zr_run *run, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
+                                  uint32_t width, uint32_t height, struct zr_misc_bins *bins);
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef ZR_DEPTH_MAPS_H
 #define ZR_DEPTH_MAPS_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "effects/ground.h"
 #include "scene/camera/camera.h"
@@ -12,15 +13,14 @@
 
 /* Draws the shadow that the scene casts on the ground plane, and finds the plane's frame. Without a plane,
  * ground->light is NULL (effects/ground.h). Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
-enum zr_status zr_ground_map_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+enum zr_status zr_ground_map_draw(const struct zr_run *run, const struct zr_scene *scene,
                                   const struct zr_camera *camera, const struct zr_bounds *bounds,
-                                  const struct zr_cancel *cancel, struct zr_ground *ground,
-                                  struct zr_ground_frame *frame);
+                                  struct zr_ground *ground, struct zr_ground_frame *frame);
 
 /* Draws one map for each light that casts shadows. maps[i] belongs to light i; *maps is NULL if no light casts any.
  * Returns as above. */
-enum zr_status zr_shadow_maps_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+enum zr_status zr_shadow_maps_draw(const struct zr_run *run, const struct zr_scene *scene,
                                    const struct zr_camera *camera, const struct zr_bounds *bounds,
-                                   const struct zr_cancel *cancel, const struct zr_shadow_map **maps);
+                                   const struct zr_shadow_map **maps);
 
 #endif

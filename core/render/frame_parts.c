@@ -1,6 +1,7 @@
 #include "render/frame_parts.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "sections/sections.h"
 
 /* Owner ids of an instance, and its first part. */
@@ -110,41 +111,41 @@ static struct zr_part_facts *list_parts(struct zr_arena *arena, const struct zr_
     return zr_arena_ok(arena) ? facts : NULL;
 }
 
-enum zr_status zr_known_parts_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                   const struct zr_cancel *cancel, struct zr_known_parts *out)
+enum zr_status zr_known_parts_make(const struct zr_run *run, const struct zr_scene *scene, struct zr_known_parts *out)
 {
-    struct zr_part_facts *facts = list_parts(arena, scene, out);
+    struct zr_part_facts *facts = list_parts(run->arena, scene, out);
     if (!facts) return ZR_NO_MEMORY;
-    struct zr_arena scratch = zr_arena_open_scratch(arena);
-    const enum zr_status status = zr_part_facts_find(&scratch, team, cancel, scene, &out->list, facts);
-    zr_arena_close_scratch(&scratch, arena);
+    struct zr_arena scratch = zr_arena_open_scratch(run->arena);
+    const struct zr_run inner = zr_run_in(run, &scratch);
+    const enum zr_status status = zr_part_facts_find(&inner, scene, &out->list, facts);
+    zr_arena_close_scratch(&scratch, run->arena);
     return status;
 }
 
-enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                   const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_frame_parts_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
+    const struct zr_run inner = zr_run_in(run, run->scratch);
     struct zr_frame_parts *parts = &frame->parts;
     struct zr_known_parts own;
     const struct zr_known_parts *known = scene->known_parts;
     enum zr_status status = ZR_OK;
     if (!known) {
-        struct zr_part_facts *facts = list_parts(arena, scene, &own);
-        status = facts ? zr_part_facts_find(scratch, team, cancel, scene, &own.list, facts) : ZR_NO_MEMORY;
+        struct zr_part_facts *facts = list_parts(run->arena, scene, &own);
+        status = facts ? zr_part_facts_find(&inner, scene, &own.list, facts) : ZR_NO_MEMORY;
         known = &own;
     }
     if (status != ZR_OK) return status;
     parts->list = known->list;
     parts->facts = known->facts;
-    uint64_t *pixels = zr_arena_zero(arena, parts->list.count, sizeof *pixels);
-    double *areas = zr_arena_zero(arena, frame->sections ? parts->list.count : 0, sizeof *areas);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    uint64_t *pixels = zr_arena_zero(run->arena, parts->list.count, sizeof *pixels);
+    double *areas = zr_arena_zero(run->arena, frame->sections ? parts->list.count : 0, sizeof *areas);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     if (!frame->face_id && !frame->sections) return ZR_OK;
-    const struct owner *owners = list_owners(scratch, scene);
+    const struct owner *owners = list_owners(run->scratch, scene);
     if (!owners) return ZR_NO_MEMORY;
     if (frame->sections) sum_caps(frame->sections, owners, parts->list.count, areas);
     if (frame->sections) parts->cap_areas = areas;
     if (!frame->face_id) return ZR_OK;
     parts->pixels = pixels;
-    return count_pixels(scene, frame, owners, cancel, pixels) ? ZR_OK : ZR_CANCELLED;
+    return count_pixels(scene, frame, owners, run->cancel, pixels) ? ZR_OK : ZR_CANCELLED;
 }

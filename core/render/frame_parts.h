@@ -2,6 +2,7 @@
 #ifndef ZR_FRAME_PARTS_H
 #define ZR_FRAME_PARTS_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "shade/frame.h"
 
@@ -15,14 +16,11 @@ struct zr_known_parts {
 };
 
 /* Lists and measures the parts, in `arena`. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_known_parts_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                   const struct zr_cancel *cancel, struct zr_known_parts *out);
+enum zr_status zr_known_parts_make(const struct zr_run *run, const struct zr_scene *scene, struct zr_known_parts *out);
 
 /* Fills in frame->parts; the list lies in `arena`, or is scene->known_parts. Counts pixels in frame->face_id, if there
  * is one. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_frame_parts_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                   const struct zr_scene *scene, const struct zr_cancel *cancel,
-                                   struct zr_frame *frame);
+enum zr_status zr_frame_parts_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame);
 
 /* Returns the number of the part that has each face id, from 0; UINT64_MAX: none has it. NULL without memory. */
 const uint64_t *zr_frame_parts_of_ids(struct zr_arena *arena, const struct zr_scene *scene,

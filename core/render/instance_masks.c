@@ -1,5 +1,6 @@
 #include "render/instance_masks.h"
 
+#include "base/run.h"
 #include "render/pass.h"
 #include "render/stage.h"
 #include "scene/channels.h"
@@ -138,21 +139,21 @@ static void reveal(struct zr_material *material)
     if (material->alpha_mode == ZR_ALPHA_OPAQUE) material->alpha_mode = ZR_ALPHA_BLEND;
 }
 
-static enum zr_status draw_tiles(struct zr_arena *scratch, struct zr_team *team, const struct zr_scene *scene,
-                                 struct drawing *d)
+static enum zr_status draw_tiles(const struct zr_run *run, const struct zr_scene *scene, struct drawing *d)
 {
+    const struct zr_run inner = zr_run_in(run, run->scratch);
     const struct zr_frame *frame = d->frame;
     const size_t count = zr_tile_count(frame->width, frame->height);
-    d->tiles = zr_arena_zero(scratch, count, sizeof(struct block *));
-    if (!d->tiles || !zr_scene_edit_materials(scratch, scene, reveal, &d->scene)) return ZR_NO_MEMORY;
+    d->tiles = zr_arena_zero(run->scratch, count, sizeof(struct block *));
+    if (!d->tiles || !zr_scene_edit_materials(run->scratch, scene, reveal, &d->scene)) return ZR_NO_MEMORY;
     const struct zr_pass_desc desc = {.scene = &d->scene,
                                       .camera = &frame->camera,
                                       .window = zr_window_of(scene, frame->width, frame->height, 1),
                                       .wants = {.layers = true}};
-    const enum zr_status status = zr_pass_make(scratch, team, &desc, d->cancel, &d->pass);
+    const enum zr_status status = zr_pass_make(&inner, &desc, &d->pass);
     if (status != ZR_OK) return status;
-    if (d->pass.tiles.layers) zr_team_ranges(team, count, 1, draw_range, d);
-    return status_of(d, scratch);
+    if (d->pass.tiles.layers) zr_team_ranges(run->team, count, 1, draw_range, d);
+    return status_of(d, run->scratch);
 }
 
 /* ---- masks of instances ---- */
@@ -297,35 +298,33 @@ static void measure_visible(struct zr_instance_mask *mask)
             if (*bits != 0) extend(&mask->visible, mask->left + 64 * word, y, *bits);
 }
 
-static enum zr_status join(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                           const struct zr_scene *scene, struct drawing *d, struct zr_instance_masks *out)
+static enum zr_status join(const struct zr_run *run, const struct zr_scene *scene, struct drawing *d,
+                           struct zr_instance_masks *out)
 {
-    struct joining j = {.drawing = d, .numbers = zr_arena_zero(scratch, scene->instance_count, sizeof *j.numbers)};
+    struct joining j = {.drawing = d, .numbers = zr_arena_zero(run->scratch, scene->instance_count, sizeof *j.numbers)};
     if (!j.numbers) return ZR_NO_MEMORY;
     if (!walk_blocks(&j, note)) return ZR_CANCELLED;
-    if (!number_masks(&j, arena, scene->instance_count)) return ZR_NO_MEMORY;
+    if (!number_masks(&j, run->arena, scene->instance_count)) return ZR_NO_MEMORY;
     if (!walk_blocks(&j, measure)) return ZR_CANCELLED;
-    if (!make_bits(&j, arena)) return ZR_NO_MEMORY;
+    if (!make_bits(&j, run->arena)) return ZR_NO_MEMORY;
     if (zr_is_cancelled(d->cancel) || !walk_blocks(&j, copy)) return ZR_CANCELLED;
-    zr_team_ranges(team, d->frame->height, ROWS_A_RANGE, mark_visible, &j);
+    zr_team_ranges(run->team, d->frame->height, ROWS_A_RANGE, mark_visible, &j);
     for (uint32_t i = 0; i < j.count && !zr_is_cancelled(d->cancel); i++)
         measure_visible(&j.masks[i]);
     *out = (struct zr_instance_masks){j.count, j.masks};
-    return status_of(d, arena);
+    return status_of(d, run->arena);
 }
 
-enum zr_status zr_instance_masks_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                      const struct zr_scene *scene, const struct zr_cancel *cancel,
-                                      struct zr_frame *frame)
+enum zr_status zr_instance_masks_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
-    struct drawing *d = zr_arena_zero(scratch, 1, sizeof *d);
-    struct zr_instance_masks *masks = zr_arena_zero(arena, 1, sizeof *masks);
+    struct drawing *d = zr_arena_zero(run->scratch, 1, sizeof *d);
+    struct zr_instance_masks *masks = zr_arena_zero(run->arena, 1, sizeof *masks);
     if (!d || !masks) return ZR_NO_MEMORY;
-    d->cancel = cancel;
+    d->cancel = run->cancel;
     d->frame = frame;
     enum zr_status status = ZR_OK;
-    STAGE(draw_tiles(scratch, team, scene, d));
-    STAGE(join(arena, scratch, team, scene, d, masks));
+    STAGE(draw_tiles(run, scene, d));
+    STAGE(join(run, scene, d, masks));
     if (status == ZR_OK) frame->masks = masks;
     return status;
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "render/layer_pass.h"
 #include "scene/camera/rays.h"
 #include "shade/depths.h"
@@ -122,31 +123,28 @@ static void draw_range(void *context, size_t begin, size_t end)
 }
 
 /* Draws the channel thickness if `solid`, else layers. */
-static enum zr_status draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene, bool solid,
-                           const struct zr_cancel *cancel, struct zr_frame *frame)
+static enum zr_status draw(const struct zr_run *run, const struct zr_scene *scene, bool solid, struct zr_frame *frame)
 {
-    struct zr_layer_pass *pass = zr_arena_zero(arena, 1, sizeof *pass);
-    struct drawing drawing = {.pass = pass, .cancel = cancel, .frame = frame, .solid = solid};
+    struct zr_layer_pass *pass = zr_arena_zero(run->arena, 1, sizeof *pass);
+    struct drawing drawing = {.pass = pass, .cancel = run->cancel, .frame = frame, .solid = solid};
     if (!pass) return ZR_NO_MEMORY;
-    const enum zr_status status = zr_layer_pass_make(arena, team, scene, solid, frame, cancel, pass);
+    const enum zr_status status = zr_layer_pass_make(run, scene, solid, frame, pass);
     if (status != ZR_OK) return status;
     const enum zr_channel channel = solid ? ZR_CHANNEL_THICKNESS : ZR_CHANNEL_LAYERS;
     const bool has_rays = zr_rays_of(&frame->camera, frame->width, frame->height, &drawing.rays);
     if (!pass->pass.tiles.layers || (solid && !has_rays)) {
         const size_t bytes = (size_t)frame->width * frame->height * sizeof(uint32_t);
-        return zr_arena_clear(arena, frame->channels[channel], bytes) ? ZR_OK : ZR_CANCELLED;
+        return zr_arena_clear(run->arena, frame->channels[channel], bytes) ? ZR_OK : ZR_CANCELLED;
     }
-    zr_team_ranges(team, zr_tile_count(frame->width, frame->height), 1, draw_range, &drawing);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+    zr_team_ranges(run->team, zr_tile_count(frame->width, frame->height), 1, draw_range, &drawing);
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
+    return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-enum zr_status zr_layer_channels_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                      const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_layer_channels_draw(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
     enum zr_status status = ZR_OK;
-    if (frame->channels[ZR_CHANNEL_LAYERS]) status = draw(arena, team, scene, false, cancel, frame);
-    if (status == ZR_OK && frame->channels[ZR_CHANNEL_THICKNESS])
-        status = draw(arena, team, scene, true, cancel, frame);
+    if (frame->channels[ZR_CHANNEL_LAYERS]) status = draw(run, scene, false, frame);
+    if (status == ZR_OK && frame->channels[ZR_CHANNEL_THICKNESS]) status = draw(run, scene, true, frame);
     return status;
 }

@@ -10,6 +10,7 @@
 #ifndef ZR_LAYER_CHANNELS_H
 #define ZR_LAYER_CHANNELS_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "scene/channels.h"
 #include "scene/scene.h"
@@ -21,7 +22,6 @@ static inline bool zr_layer_channels_are_wanted(const struct zr_frame *frame)
 }
 
 /* Writes whichever of the two channels the frame has. Returns ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. */
-enum zr_status zr_layer_channels_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                      const struct zr_cancel *cancel, struct zr_frame *frame);
+enum zr_status zr_layer_channels_draw(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame);
 
 #endif

@@ -1,5 +1,6 @@
 #include "render/layer_pass.h"
 
+#include "base/run.h"
 #include "scene/scene_edit.h"
 
 /* Copies the meshes without their lines and points. */
@@ -35,16 +36,15 @@ static bool see_through_scene(struct zr_arena *arena, const struct zr_scene *sce
     return zr_arena_ok(arena);
 }
 
-enum zr_status zr_layer_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                  bool solid, const struct zr_frame *frame, const struct zr_cancel *cancel,
-                                  struct zr_layer_pass *out)
+enum zr_status zr_layer_pass_make(const struct zr_run *run, const struct zr_scene *scene, bool solid,
+                                  const struct zr_frame *frame, struct zr_layer_pass *out)
 {
-    if (!see_through_scene(arena, scene, solid, &out->scene)) return ZR_NO_MEMORY;
+    if (!see_through_scene(run->arena, scene, solid, &out->scene)) return ZR_NO_MEMORY;
     const struct zr_pass_desc desc = {.scene = &out->scene,
                                       .camera = &frame->camera,
                                       .window = zr_window_of(scene, frame->width, frame->height, 1),
                                       .wants = {.layers = true}};
-    return zr_pass_make(arena, team, &desc, cancel, &out->pass);
+    return zr_pass_make(run, &desc, &out->pass);
 }
 
 struct zr_layers *zr_layer_pass_find(const struct zr_layer_pass *pass, uint32_t number, const struct zr_cancel *cancel,

@@ -6,6 +6,7 @@
 #ifndef ZR_LAYER_PASS_H
 #define ZR_LAYER_PASS_H
 
+#include "base/run.h"
 #include "render/pass.h"
 #include "shade/frame.h"
 
@@ -17,9 +18,8 @@ struct zr_layer_pass {
 /* Makes the pass. `solid`: faces only, filled and from both sides. pass.tiles.layers is NULL if nothing is drawn.
  * Returns ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. *out points into the arena, to the scene and into
  * itself. */
-enum zr_status zr_layer_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                  bool solid, const struct zr_frame *frame, const struct zr_cancel *cancel,
-                                  struct zr_layer_pass *out);
+enum zr_status zr_layer_pass_make(const struct zr_run *run, const struct zr_scene *scene, bool solid,
+                                  const struct zr_frame *frame, struct zr_layer_pass *out);
 
 /* Lists the fragments of a tile. The caller returns them to pass->tiles.layers. Overwrites `tile`. Returns NULL if
  * cancelled or out of memory. Any thread may call it. */

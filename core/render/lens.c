@@ -3,8 +3,9 @@
 #include <math.h>
 
 #include "base/rgba.h"
-#include "lines/strokes.h"
+#include "base/run.h"
 #include "effects/edges.h"
+#include "lines/strokes.h"
 #include "render/pixel_fragments.h"
 #include "scene/output.h"
 #include "scene/parsed_picture.h"
@@ -40,16 +41,15 @@ void zr_lens_drawing_open(const struct zr_scene *scene, const struct zr_resolved
         .view = view, .bounds = resolved->bounds, .camera = zr_lens_pinhole(plan, &resolved->camera)};
 }
 
-enum zr_status zr_lens_list_fragments(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                      const struct zr_lens_drawing *drawing, const struct zr_remap *remap,
-                                      const struct zr_cancel *cancel, struct zr_frame *pinhole)
+enum zr_status zr_lens_list_fragments(const struct zr_run *run, const struct zr_lens_drawing *drawing,
+                                      const struct zr_remap *remap, struct zr_frame *pinhole)
 {
     const struct zr_output *output = zr_view_output(pinhole->view, ZR_CHANNEL_FRAGMENTS);
     struct zr_remap_pixel pixel;
     enum zr_status status = ZR_OK;
     if (!output) return ZR_OK;
     if (zr_remap_nearest_pixel(remap, output->x, output->y, &pixel))
-        status = zr_pixel_fragments_find(arena, scratch, team, &drawing->scene, pixel.x, pixel.y, cancel, pinhole);
+        status = zr_pixel_fragments_find(run, &drawing->scene, pixel.x, pixel.y, pinhole);
     pinhole->fragments.x = output->x;
     pinhole->fragments.y = output->y;
     return status;
@@ -88,22 +88,22 @@ static enum zr_status measure(const struct zr_frame *pinhole, const struct zr_ca
     return ZR_OK;
 }
 
-enum zr_status zr_lens_take(struct zr_team *team, const struct zr_scene *scene, const struct zr_remap *remap,
-                            const struct zr_frame *pinhole, const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_lens_take(const struct zr_run *run, const struct zr_scene *scene, const struct zr_remap *remap,
+                            const struct zr_frame *pinhole, struct zr_frame *frame)
 {
     enum zr_status status = ZR_OK;
     for (int c = 0; status == ZR_OK && c < ZR_CHANNEL_COUNT; c++) {
         const struct zr_channel_row *row = &zr_channel_rows[c];
         if (!frame->channels[c]) continue;
-        status = c == ZR_CHANNEL_COLOR ? zr_remap_color(remap, team, cancel, zr_rgba_make(scene->background),
-                                                        pinhole->channels[c], frame->channels[c])
-                                       : zr_remap_nearest(remap, team, cancel, row->words, row->clear_value,
-                                                          pinhole->channels[c], frame->channels[c]);
+        status =
+            c == ZR_CHANNEL_COLOR
+                ? zr_remap_color(run, remap, zr_rgba_make(scene->background), pinhole->channels[c], frame->channels[c])
+                : zr_remap_nearest(run, remap, row->words, row->clear_value, pinhole->channels[c], frame->channels[c]);
     }
     frame->spans = NULL;
     frame->counts = pinhole->counts;
     frame->sections = pinhole->sections;
     frame->fragments = pinhole->fragments;
     frame->pixels_without_ray = remap->nowhere;
-    return status == ZR_OK ? measure(pinhole, cancel, frame) : status;
+    return status == ZR_OK ? measure(pinhole, run->cancel, frame) : status;
 }

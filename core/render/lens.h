@@ -2,6 +2,7 @@
 #ifndef ZR_RENDER_LENS_H
 #define ZR_RENDER_LENS_H
 
+#include "base/run.h"
 #include "effects/remap.h"
 #include "scene/camera/resolved_view.h"
 #include "shade/frame.h"
@@ -19,12 +20,11 @@ void zr_lens_drawing_open(const struct zr_scene *scene, const struct zr_resolved
 
 /* Lists the fragments along the ray of the pixel that an output asks for, as zr_pixel_fragments_find does. A pixel
  * without a ray has none. */
-enum zr_status zr_lens_list_fragments(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                      const struct zr_lens_drawing *drawing, const struct zr_remap *remap,
-                                      const struct zr_cancel *cancel, struct zr_frame *pinhole);
+enum zr_status zr_lens_list_fragments(const struct zr_run *run, const struct zr_lens_drawing *drawing,
+                                      const struct zr_remap *remap, struct zr_frame *pinhole);
 
 /* Fills the channels and counts of a frame through the lens. Parts are not set. ZR_OK or ZR_CANCELLED. */
-enum zr_status zr_lens_take(struct zr_team *team, const struct zr_scene *scene, const struct zr_remap *remap,
-                            const struct zr_frame *pinhole, const struct zr_cancel *cancel, struct zr_frame *frame);
+enum zr_status zr_lens_take(const struct zr_run *run, const struct zr_scene *scene, const struct zr_remap *remap,
+                            const struct zr_frame *pinhole, struct zr_frame *frame);
 
 #endif

@@ -1,5 +1,6 @@
 #include "render/lens_masks.h"
 
+#include "base/run.h"
 #include "render/instance_masks.h"
 
 /* Side of the cells of the pinhole picture, in pixels. */
@@ -96,28 +97,27 @@ static void take_masks(void *context, size_t begin, size_t end)
             take_mask(t, &t->from->at[begin], &t->out[begin]);
 }
 
-enum zr_status zr_lens_masks_take(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                  const struct zr_remap *remap, const struct zr_instance_masks *pinhole,
-                                  const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_lens_masks_take(const struct zr_run *run, const struct zr_remap *remap,
+                                  const struct zr_instance_masks *pinhole, struct zr_frame *frame)
 {
     const uint32_t across = (remap->source_width + CELL - 1) / CELL, down = (remap->source_height + CELL - 1) / CELL;
-    struct zr_instance_masks *masks = zr_arena_zero(arena, 1, sizeof *masks);
+    struct zr_instance_masks *masks = zr_arena_zero(run->arena, 1, sizeof *masks);
     struct taking t = {.remap = remap,
                        .from = pinhole,
-                       .cancel = cancel,
+                       .cancel = run->cancel,
                        .across = across,
-                       .cells = zr_arena_zero(scratch, (size_t)across * down, sizeof *t.cells),
-                       .out = zr_arena_zero(arena, pinhole->count, sizeof *t.out)};
+                       .cells = zr_arena_zero(run->scratch, (size_t)across * down, sizeof *t.cells),
+                       .out = zr_arena_zero(run->arena, pinhole->count, sizeof *t.out)};
     if (!masks || !t.cells || !t.out) return ZR_NO_MEMORY;
     find_cells(&t);
-    zr_team_ranges(team, pinhole->count, 1, take_masks, &t);
+    zr_team_ranges(run->team, pinhole->count, 1, take_masks, &t);
     for (uint32_t i = 0; i < pinhole->count; i++)
-        zr_instance_mask_make_bits(arena, &t.out[i]);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    zr_team_ranges(team, pinhole->count, 1, take_masks, &t);
+        zr_instance_mask_make_bits(run->arena, &t.out[i]);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
+    zr_team_ranges(run->team, pinhole->count, 1, take_masks, &t);
     for (uint32_t i = 0; i < pinhole->count; i++)
         if (t.out[i].amodal.pixels > 0) t.out[masks->count++] = t.out[i];
     masks->at = t.out;
     frame->masks = masks;
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -1,6 +1,7 @@
 #include "render/mesh_lines.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "lines/ink.h"
 #include "lines/line_sheet.h"
 #include "render/stage.h"
@@ -32,35 +33,35 @@ static struct zr_drawing_desc desc_of(const struct zr_scene *scene, const struct
         .has_hidden = edges->has_hidden};
 }
 
-enum zr_status zr_mesh_lines_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                  const struct zr_cancel *cancel, const struct zr_frame *frame)
+enum zr_status zr_mesh_lines_draw(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame)
 {
     const struct zr_edges *edges = &scene->picture.edges;
     const uint32_t width = frame->width, height = frame->height;
-    const struct zr_scene *drawn = scene_of_lines(arena, scene);
+    const struct zr_scene *drawn = scene_of_lines(run->arena, scene);
     const struct zr_drawing_desc desc = desc_of(drawn ? drawn : scene, frame);
     const float w = zr_stroke_width(edges->width, width, height);
-    float *opacity = zr_arena_alloc(arena, (size_t)width * height, sizeof *opacity);
-    struct zr_arena scratch = zr_arena_open_scratch(arena);
+    float *opacity = zr_arena_alloc(run->arena, (size_t)width * height, sizeof *opacity);
+    struct zr_arena scratch = zr_arena_open_scratch(run->arena);
+    const struct zr_run inner = zr_run_in(run, &scratch);
     struct zr_drawing drawing;
     enum zr_status status = drawn && opacity ? ZR_OK : ZR_NO_MEMORY;
-    STAGE(zr_drawing_make(&scratch, team, cancel, &desc, &drawing));
-    STAGE(zr_strokes_draw(&scratch, team, cancel, &drawing.polylines, w, width, height, opacity));
-    zr_arena_close_scratch(&scratch, arena);
-    if (status == ZR_OK) zr_ink_lay(team, cancel, opacity, edges->color, width, height, frame->color);
-    return status == ZR_OK && zr_is_cancelled(cancel) ? ZR_CANCELLED : status;
+    STAGE(zr_drawing_make(&inner, &desc, &drawing));
+    STAGE(zr_strokes_draw(&inner, &drawing.polylines, w, width, height, opacity));
+    zr_arena_close_scratch(&scratch, run->arena);
+    if (status == ZR_OK) zr_ink_lay(run, opacity, edges->color, width, height, frame->color);
+    return status == ZR_OK && zr_is_cancelled(run->cancel) ? ZR_CANCELLED : status;
 }
 
-enum zr_status zr_mesh_lines_keep(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                  const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_mesh_lines_keep(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
-    const struct zr_scene *drawn = scene_of_lines(scratch, scene);
+    const struct zr_run inner = zr_run_in(run, run->scratch);
+    const struct zr_scene *drawn = scene_of_lines(run->scratch, scene);
     const struct zr_drawing_desc desc = desc_of(drawn ? drawn : scene, frame);
-    struct zr_line_sheet *lines = zr_arena_alloc(arena, 1, sizeof *lines);
+    struct zr_line_sheet *lines = zr_arena_alloc(run->arena, 1, sizeof *lines);
     struct zr_drawing drawing;
     enum zr_status status = drawn && lines ? ZR_OK : ZR_NO_MEMORY;
-    STAGE(zr_drawing_make(scratch, team, cancel, &desc, &drawing));
-    STAGE(zr_line_sheet_make(arena, scratch, cancel, &desc, &drawing, lines));
+    STAGE(zr_drawing_make(&inner, &desc, &drawing));
+    STAGE(zr_line_sheet_make(run, &desc, &drawing, lines));
     frame->lines = lines;
     return status;
 }

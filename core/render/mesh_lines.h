@@ -2,15 +2,14 @@
 #ifndef ZR_MESH_LINES_H
 #define ZR_MESH_LINES_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "shade/frame.h"
 
 /* Draws the lines over frame->color. Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_mesh_lines_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                  const struct zr_cancel *cancel, const struct zr_frame *frame);
+enum zr_status zr_mesh_lines_draw(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame);
 
 /* Makes frame->lines in `arena`. Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_mesh_lines_keep(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                  const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame);
+enum zr_status zr_mesh_lines_keep(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame);
 
 #endif

@@ -1,6 +1,7 @@
 #include "render/pass.h"
 
 #include "base/mutant.h"
+#include "base/run.h"
 #include "geometry/build.h"
 #include "raster/binned_scene.h"
 #include "raster/textbook/whole_window.h"
@@ -38,39 +39,38 @@ static uint64_t samples_in(const struct zr_window *window)
 }
 
 /* Makes the textures of colours and samples. Masks need their opacity in every pass. */
-static enum zr_status make_textures(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
-                                    const struct zr_cancel *cancel, struct zr_attribute_wants *wants)
+static enum zr_status make_textures(const struct zr_run *run, const struct zr_pass_desc *desc,
+                                    struct zr_attribute_wants *wants)
 {
     const struct zr_scene *scene = desc->scene;
     *wants = desc->wants;
     if (desc->untextured) return ZR_OK;
     if (!wants->colors && !wants->samples && !zr_any_is_masked(scene->materials, scene->material_count)) return ZR_OK;
-    return zr_texture_maps_make(arena, team, scene, wants->samples, cancel, &wants->textures);
+    return zr_texture_maps_make(run, scene, wants->samples, &wants->textures);
 }
 
 /* Decides the visibility of the window by the scene's algorithm, or prepares to decide it tile by tile. listed: alpha
  * modes whose fragments will be requested. `base` may be NULL. */
-static enum zr_status make_visibility(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
+static enum zr_status make_visibility(const struct zr_run *run, const struct zr_pass_desc *desc,
                                       const struct zr_prepaint *prepaints, const bool listed[ZR_ALPHA_COUNT],
-                                      const struct zr_cancel *cancel, struct zr_pass *pass)
+                                      struct zr_pass *pass)
 {
     const struct zr_geometry *geometry = &pass->geometry;
     zr_visibility_fn *window_at_once = zr_visibility_of(desc->scene->algorithm);
     if (window_at_once) {
-        struct zr_whole_window *window = zr_arena_alloc(arena, 1, sizeof *window);
+        struct zr_whole_window *window = zr_arena_alloc(run->arena, 1, sizeof *window);
         if (!window) return ZR_NO_MEMORY;
         pass->visibility = &window->visibility;
-        return zr_whole_window_make(arena, geometry, window_at_once, listed, desc->base, cancel, window);
+        return zr_whole_window_make(run, geometry, window_at_once, listed, desc->base, window);
     }
-    struct zr_binned_scene *binned = zr_arena_alloc(arena, 1, sizeof *binned);
+    struct zr_binned_scene *binned = zr_arena_alloc(run->arena, 1, sizeof *binned);
     if (!binned) return ZR_NO_MEMORY;
     pass->visibility = &binned->visibility;
-    return zr_binned_scene_make(arena, team, geometry, prepaints, geometry->window.width, geometry->window.height,
-                                desc->base, cancel, binned);
+    return zr_binned_scene_make(run, geometry, prepaints, geometry->window.width, geometry->window.height, desc->base,
+                                binned);
 }
 
-enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
-                            const struct zr_cancel *cancel, struct zr_pass *pass)
+enum zr_status zr_pass_make(const struct zr_run *run, const struct zr_pass_desc *desc, struct zr_pass *pass)
 {
     const struct zr_scene *scene = desc->scene;
     const bool in_tiles = scene->algorithm == ZR_ALGORITHM_HALFSPACE;
@@ -79,20 +79,19 @@ enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_attribute_wants wants;
     enum zr_status status = ZR_OK;
     pass->visibility = NULL;
-    STAGE(make_textures(arena, team, desc, cancel, &wants));
-    STAGE(zr_geometry_build(arena, team, scene, desc->camera, &desc->window, cancel, !in_tiles, &pass->geometry));
-    STAGE(
-        zr_scene_attributes_make(arena, team, scene, desc->camera, &pass->geometry, &wants, cancel, &pass->attributes));
+    STAGE(make_textures(run, desc, &wants));
+    STAGE(zr_geometry_build(run, scene, desc->camera, &desc->window, !in_tiles, &pass->geometry));
+    STAGE(zr_scene_attributes_make(run, scene, desc->camera, &pass->geometry, &wants, &pass->attributes));
     if (in_tiles && wants.colors)
-        STAGE(zr_paint_prepare(arena, team, &pass->geometry, &pass->attributes, samples_in(&desc->window), &prepaints));
+        STAGE(zr_paint_prepare(run, &pass->geometry, &pass->attributes, samples_in(&desc->window), &prepaints));
     if (status == ZR_OK) find_listed(&pass->geometry, &wants, listed);
-    STAGE(make_visibility(arena, team, desc, prepaints, listed, cancel, pass));
-    pass->layers = (struct zr_layers_pool){.arena = arena, .lock = PTHREAD_MUTEX_INITIALIZER};
+    STAGE(make_visibility(run, desc, prepaints, listed, pass));
+    pass->layers = (struct zr_layers_pool){.arena = run->arena, .lock = PTHREAD_MUTEX_INITIALIZER};
     pass->tiles = (struct zr_tile_source){.scene = scene,
                                           .geometry = &pass->geometry,
                                           .attributes = &pass->attributes,
                                           .visibility = pass->visibility,
-                                          .isa = zr_team_isa(team)};
+                                          .isa = zr_team_isa(run->team)};
     if (status != ZR_OK) return status;
     pass->tiles.any_masked = listed[ZR_ALPHA_MASK];
     pass->tiles.any_blended = listed[ZR_ALPHA_BLEND];

@@ -6,6 +6,7 @@
 #ifndef ZR_PASS_H
 #define ZR_PASS_H
 
+#include "base/run.h"
 #include "render/layers.h"
 #include "render/tiles.h"
 
@@ -33,8 +34,7 @@ struct zr_window zr_window_of(const struct zr_scene *scene, uint32_t width, uint
 
 /* Makes the pass, which points into the arena, to the scene and camera, and into itself. Returns ZR_OK, ZR_CANCELLED,
  * ZR_NO_MEMORY, or ZR_INTERNAL if an algorithm fails its own checks. */
-enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
-                            const struct zr_cancel *cancel, struct zr_pass *pass);
+enum zr_status zr_pass_make(const struct zr_run *run, const struct zr_pass_desc *desc, struct zr_pass *pass);
 
 /* Returns the counts of geometry, visibility and masked tiles. */
 struct zr_counts zr_pass_counts(const struct zr_pass *pass);

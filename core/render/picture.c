@@ -1,6 +1,7 @@
 /* The stages of a picture, from top to bottom: each STAGE of draw_light is one. */
 #include "render/picture.h"
 
+#include "base/run.h"
 #include "effects/eye_dome.h"
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
@@ -16,18 +17,16 @@
 #include "shade/paint.h"
 
 struct drawing {
-    struct zr_arena *arena;
-    struct zr_team *team;
+    const struct zr_run *run;
     const struct zr_scene *scene;
-    const struct zr_cancel *cancel;
     struct zr_frame *frame;
     const zr_vec4 *const *creases;
 };
 
 static enum zr_status status_of(const struct drawing *d)
 {
-    if (zr_is_cancelled(d->cancel)) return ZR_CANCELLED;
-    return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
+    if (zr_is_cancelled(d->run->cancel)) return ZR_CANCELLED;
+    return zr_arena_ok(d->run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 /* Describes a pass with side x side samples per pixel. */
@@ -47,8 +46,8 @@ static enum zr_status draw_bytes(const struct drawing *d)
     const struct zr_pass_desc desc = pass_at(d, side, false);
     struct zr_pass pass;
     enum zr_status status = ZR_OK;
-    STAGE(zr_pass_make(d->arena, d->team, &desc, d->cancel, &pass));
-    STAGE(zr_supersample_bytes(d->team, &pass, side, d->cancel, d->frame));
+    STAGE(zr_pass_make(d->run, &desc, &pass));
+    STAGE(zr_supersample_bytes(d->run->team, &pass, side, d->run->cancel, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(&pass);
     return status;
 }
@@ -59,13 +58,12 @@ static enum zr_status draw_bytes(const struct drawing *d)
 static enum zr_status make_creases(struct drawing *d)
 {
     const struct zr_scene *scene = d->scene;
-    const zr_vec4 **creases = zr_arena_zero(d->arena, scene->mesh_count, sizeof *creases);
+    const zr_vec4 **creases = zr_arena_zero(d->run->arena, scene->mesh_count, sizeof *creases);
     for (uint32_t i = 0; creases && i < scene->mesh_count; i++) {
         if (!zr_mesh_lacks_normals(&scene->meshes[i]) || scene->meshes[i].face_count == 0) continue;
         creases[i] = zr_mesh_table_creases(scene->tables, scene, i);
         if (creases[i]) continue;
-        creases[i] =
-            zr_crease_normals_make(d->arena, d->team, d->cancel, &scene->meshes[i], scene->picture.crease_degrees);
+        creases[i] = zr_crease_normals_make(d->run, &scene->meshes[i], scene->picture.crease_degrees);
     }
     d->creases = creases;
     return status_of(d);
@@ -73,7 +71,7 @@ static enum zr_status make_creases(struct drawing *d)
 
 static float *floats(const struct drawing *d, size_t count)
 {
-    return zr_arena_alloc(d->arena, count, sizeof(float));
+    return zr_arena_alloc(d->run->arena, count, sizeof(float));
 }
 
 /* Allocates a G-buffer of points and normals. Both sides are rounded up to whole blocks of tiles. */
@@ -84,12 +82,12 @@ static enum zr_status make_gbuffer(const struct drawing *d, struct zr_gbuffer *o
     *out = (struct zr_gbuffer){.width = (int32_t)d->frame->width,
                                .height = (int32_t)d->frame->height,
                                .stride = (ptrdiff_t)stride,
-                               .owner = zr_arena_alloc(d->arena, count, sizeof *out->owner)};
+                               .owner = zr_arena_alloc(d->run->arena, count, sizeof *out->owner)};
     for (int k = 0; k < 3; k++) {
         out->normal[k] = floats(d, count);
         out->point[k] = floats(d, count);
     }
-    return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
+    return zr_arena_ok(d->run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 struct gbuffer_drawing {
@@ -101,10 +99,10 @@ struct gbuffer_drawing {
 static void draw_gbuffer_range(void *context, size_t begin, size_t end)
 {
     const struct gbuffer_drawing *g = context;
-    const struct zr_paint *paint = zr_paint_of(zr_team_isa(g->of->team));
+    const struct zr_paint *paint = zr_paint_of(zr_team_isa(g->of->run->team));
     struct zr_tile tile;
     for (size_t number = begin; number < end; number++) {
-        if (!zr_tile_find_visible(&g->pass->tiles, (uint32_t)number, g->of->cancel, &tile)) return;
+        if (!zr_tile_find_visible(&g->pass->tiles, (uint32_t)number, g->of->run->cancel, &tile)) return;
         const ptrdiff_t at = tile.y * g->out->stride + tile.x;
         struct zr_gbuffer to = *g->out;
         to.owner += at;
@@ -124,9 +122,9 @@ static enum zr_status draw_gbuffer(const struct drawing *d, struct zr_gbuffer *p
     desc.untextured = true;
     struct gbuffer_drawing drawing = {d, &pass, pixels};
     enum zr_status status = make_gbuffer(d, pixels);
-    STAGE(zr_pass_make(d->arena, d->team, &desc, d->cancel, &pass));
+    STAGE(zr_pass_make(d->run, &desc, &pass));
     if (status != ZR_OK) return status;
-    zr_team_ranges(d->team, zr_tile_count(d->frame->width, d->frame->height), 2, draw_gbuffer_range, &drawing);
+    zr_team_ranges(d->run->team, zr_tile_count(d->frame->width, d->frame->height), 2, draw_gbuffer_range, &drawing);
     return status_of(d);
 }
 
@@ -143,7 +141,7 @@ static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer 
     const float diagonal = diagonal_in_eye(d);
     enum zr_status status = draw_gbuffer(d, pixels);
     if (status != ZR_OK) return status;
-    const float *light = zr_occlusion_make(d->arena, d->team, d->cancel, pixels, occlusion, &scale, diagonal);
+    const float *light = zr_occlusion_make(d->run, pixels, occlusion, &scale, diagonal);
     *map = (struct zr_occlusion_map){pixels, light, 1.0f / (ZR_OCCLUSION_PLANE * diagonal)};
     return status_of(d);
 }
@@ -155,7 +153,7 @@ static enum zr_status draw_points_light(const struct drawing *d, struct zr_gbuff
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
     const enum zr_status status = draw_gbuffer(d, pixels);
     if (status != ZR_OK) return status;
-    *light = zr_eye_dome_make(d->arena, d->team, d->cancel, pixels, &picture->occlusion, &scale);
+    *light = zr_eye_dome_make(d->run, pixels, &picture->occlusion, &scale);
     return status_of(d);
 }
 
@@ -166,7 +164,7 @@ static enum zr_status make_light(const struct drawing *d, struct zr_linear_frame
     for (int k = 0; k < 3; k++)
         out->color[k] = floats(d, count);
     out->cover = floats(d, count);
-    return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
+    return zr_arena_ok(d->run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 /* Draws all samples. The edge marks point into the pass until they are finished. */
@@ -175,11 +173,11 @@ static enum zr_status draw_samples(const struct drawing *d, const struct zr_samp
     const uint32_t side = d->scene->picture.side;
     const struct zr_pass_desc desc = pass_at(d, side, true);
     enum zr_status status = ZR_OK;
-    STAGE(zr_pass_make(d->arena, d->team, &desc, d->cancel, pass));
+    STAGE(zr_pass_make(d->run, &desc, pass));
     if (status == ZR_OK && stages->edges &&
-        !zr_edges_set_faces(stages->edges, d->arena, &pass->geometry, &pass->attributes))
+        !zr_edges_set_faces(stages->edges, d->run->arena, &pass->geometry, &pass->attributes))
         status = ZR_NO_MEMORY;
-    STAGE(zr_supersample_light(d->team, pass, stages, side, d->cancel, d->frame));
+    STAGE(zr_supersample_light(d->run, pass, stages, side, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(pass);
     return status;
 }
@@ -188,16 +186,17 @@ static enum zr_status begin_edges(const struct drawing *d, struct zr_edge_marks 
 {
     const struct zr_picture *picture = &d->scene->picture;
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
-    *marks = zr_edge_marks_make(d->arena, d->frame->width, d->frame->height, picture->side, &picture->edges, &scale);
+    *marks =
+        zr_edge_marks_make(d->run->arena, d->frame->width, d->frame->height, picture->side, &picture->edges, &scale);
     return status_of(d);
 }
 
 static enum zr_status finish(const struct drawing *d, struct zr_post_desc *desc, struct zr_edge_marks *edges)
 {
-    if (edges) desc->ink = zr_edges_finish(edges, d->arena, d->team, d->cancel);
+    if (edges) desc->ink = zr_edges_finish(d->run, edges);
     if (status_of(d) != ZR_OK) return status_of(d);
     if (!zr_rays_of(&d->frame->camera, d->frame->width, d->frame->height, &desc->rays)) desc->ground = NULL;
-    zr_finish_picture(d->team, desc, d->cancel);
+    zr_finish_picture(d->run->team, desc, d->run->cancel);
     return status_of(d);
 }
 
@@ -238,19 +237,16 @@ static enum zr_status draw_light(struct drawing *d)
     STAGE(make_creases(d));
     if (has_occlusion) STAGE(draw_occlusion(d, &pixels, &occlusion));
     if (is_cloud) STAGE(draw_points_light(d, &pixels, &points_light));
-    if (picture->has_ground)
-        STAGE(zr_ground_map_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &ground, &desc.ground_frame));
-    STAGE(zr_shadow_maps_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &shadows));
-    zr_linear_lighting_make(d->arena, d->scene, camera, bounds, shadows, &lighting);
+    if (picture->has_ground) STAGE(zr_ground_map_draw(d->run, d->scene, camera, bounds, &ground, &desc.ground_frame));
+    STAGE(zr_shadow_maps_draw(d->run, d->scene, camera, bounds, &shadows));
+    zr_linear_lighting_make(d->run->arena, d->scene, camera, bounds, shadows, &lighting);
     if (picture->has_ground_sun) desc.sun = ground_sun_of(d, shadows);
     STAGE(make_light(d, &light));
     if (picture->edges.is_on && !picture->edges.is_from_mesh) STAGE(begin_edges(d, &stages.edges));
     STAGE(draw_samples(d, &stages, &pass));
-    if (status == ZR_OK && points_light)
-        zr_eye_dome_apply(d->team, d->cancel, &pixels, points_light, light.color, light.stride);
+    if (status == ZR_OK && points_light) zr_eye_dome_apply(d->run, &pixels, points_light, light.color, light.stride);
     STAGE(finish(d, &desc, stages.edges));
-    if (picture->edges.is_on && picture->edges.is_from_mesh)
-        STAGE(zr_mesh_lines_draw(d->arena, d->team, d->scene, d->cancel, d->frame));
+    if (picture->edges.is_on && picture->edges.is_from_mesh) STAGE(zr_mesh_lines_draw(d->run, d->scene, d->frame));
     return status;
 }
 
@@ -271,11 +267,10 @@ bool zr_picture_scene(struct zr_arena *arena, const struct zr_scene *scene, stru
     return zr_scene_edit_materials(arena, scene, blend_xrays, edited);
 }
 
-enum zr_status zr_picture_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                               const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_picture_draw(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
-    struct drawing drawing = {arena, team, scene, cancel, frame, NULL};
+    struct drawing drawing = {run, scene, frame, NULL};
     struct zr_scene with_xrays;
-    if (!zr_picture_scene(arena, scene, &with_xrays, &drawing.scene)) return ZR_NO_MEMORY;
+    if (!zr_picture_scene(run->arena, scene, &with_xrays, &drawing.scene)) return ZR_NO_MEMORY;
     return scene->picture.is_linear ? draw_light(&drawing) : draw_bytes(&drawing);
 }

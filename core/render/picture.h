@@ -2,6 +2,7 @@
 #ifndef ZR_LOOK_PICTURE_H
 #define ZR_LOOK_PICTURE_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
@@ -18,7 +19,6 @@ bool zr_picture_scene(struct zr_arena *arena, const struct zr_scene *scene, stru
                       const struct zr_scene **out);
 
 /* Draws frame->color. The frame has its camera and bounds. Returns ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. */
-enum zr_status zr_picture_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                               const struct zr_cancel *cancel, struct zr_frame *frame);
+enum zr_status zr_picture_draw(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame);
 
 #endif

@@ -1,5 +1,6 @@
 #include "render/pixel_fragments.h"
 
+#include "base/run.h"
 #include "render/layer_pass.h"
 #include "shade/visible_points.h"
 
@@ -48,19 +49,19 @@ static bool list_fragments(struct zr_arena *arena, const struct zr_layer_pass *p
     return true;
 }
 
-enum zr_status zr_pixel_fragments_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                       const struct zr_scene *scene, uint32_t x, uint32_t y,
-                                       const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_pixel_fragments_find(const struct zr_run *run, const struct zr_scene *scene, uint32_t x, uint32_t y,
+                                       struct zr_frame *frame)
 {
+    const struct zr_run inner = zr_run_in(run, run->scratch);
     const uint32_t up = frame->height - 1 - y;
     const uint32_t number = up / ZR_TILE_SIZE * zr_tile_across(frame->width) + x / ZR_TILE_SIZE;
-    struct zr_layer_pass *pass = zr_arena_zero(scratch, 1, sizeof *pass);
-    struct zr_tile *tile = zr_arena_alloc(scratch, 1, sizeof *tile);
+    struct zr_layer_pass *pass = zr_arena_zero(run->scratch, 1, sizeof *pass);
+    struct zr_tile *tile = zr_arena_alloc(run->scratch, 1, sizeof *tile);
     frame->fragments = (struct zr_pixel_fragments){.x = x, .y = y};
     if (!pass || !tile) return ZR_NO_MEMORY;
-    const enum zr_status status = zr_layer_pass_make(scratch, team, scene, false, frame, cancel, pass);
+    const enum zr_status status = zr_layer_pass_make(&inner, scene, false, frame, pass);
     if (status != ZR_OK || !pass->pass.tiles.layers) return status;
-    struct zr_layers *layers = zr_layer_pass_find(pass, number, cancel, tile);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    return layers && list_fragments(arena, pass, scene, layers, frame) ? ZR_OK : ZR_NO_MEMORY;
+    struct zr_layers *layers = zr_layer_pass_find(pass, number, run->cancel, tile);
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
+    return layers && list_fragments(run->arena, pass, scene, layers, frame) ? ZR_OK : ZR_NO_MEMORY;
 }

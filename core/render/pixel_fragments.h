@@ -6,6 +6,7 @@
 #ifndef ZR_PIXEL_FRAGMENTS_H
 #define ZR_PIXEL_FRAGMENTS_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
@@ -13,8 +14,7 @@
 /* Finds the fragments of pixel x, y of the window and writes frame->fragments, allocated in `arena`; the rest goes to
  * `scratch`, which may be the same. The frame has its windowDepth and faceId. Returns ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY
  * or ZR_INTERNAL. */
-enum zr_status zr_pixel_fragments_find(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                       const struct zr_scene *scene, uint32_t x, uint32_t y,
-                                       const struct zr_cancel *cancel, struct zr_frame *frame);
+enum zr_status zr_pixel_fragments_find(const struct zr_run *run, const struct zr_scene *scene, uint32_t x, uint32_t y,
+                                       struct zr_frame *frame);
 
 #endif

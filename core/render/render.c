@@ -5,6 +5,7 @@
 #include <inttypes.h>
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "overlay/color_bar.h"
 #include "raster/textbook/algorithms.h"
 #include "render/flow.h"
@@ -26,8 +27,7 @@
 #include "shade/nocs.h"
 
 /* Draws the data channels at pixel centres, and the colours if they need no passes of their own. */
-static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                    const struct zr_cancel *cancel, struct zr_frame *frame)
+static enum zr_status draw_channels(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
     const struct zr_pass_desc desc = {.scene = scene,
                                       .camera = &frame->camera,
@@ -37,12 +37,12 @@ static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team
     enum zr_status status = ZR_OK;
     struct zr_pass pass;
     if (frame->channels[ZR_CHANNEL_POSITION] && zr_view_space(frame->view, ZR_CHANNEL_POSITION) == ZR_SPACE_NOCS) {
-        frame->nocs = zr_nocs_make(arena, scene, cancel);
-        if (!frame->nocs) return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
+        frame->nocs = zr_nocs_make(run->arena, scene, run->cancel);
+        if (!frame->nocs) return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
     }
-    if (frame->channels[ZR_CHANNEL_FLOW]) STAGE(zr_flow_target_draw(arena, team, scene, cancel, frame));
-    STAGE(zr_pass_make(arena, team, &desc, cancel, &pass));
-    STAGE(zr_tiles_draw(arena, team, &pass.tiles, cancel, frame));
+    if (frame->channels[ZR_CHANNEL_FLOW]) STAGE(zr_flow_target_draw(run, scene, frame));
+    STAGE(zr_pass_make(run, &desc, &pass));
+    STAGE(zr_tiles_draw(run, &pass.tiles, frame));
     frame->nocs = NULL;
     frame->flow = NULL;
     if (status == ZR_OK) frame->counts = zr_pass_counts(&pass);
@@ -57,16 +57,15 @@ static bool has_channels(const struct zr_frame *frame)
 }
 
 /* Draws the picture with its samples and effects, then the data channels in a pass without them. */
-static enum zr_status draw_picture_and_channels(struct zr_arena *arena, struct zr_team *team,
-                                                const struct zr_scene *scene, const struct zr_cancel *cancel,
+static enum zr_status draw_picture_and_channels(const struct zr_run *run, const struct zr_scene *scene,
                                                 struct zr_frame *frame)
 {
     struct zr_frame picture = *frame;
     enum zr_status status = ZR_OK;
     frame->color = NULL;
-    STAGE(zr_picture_draw(arena, team, scene, cancel, &picture));
+    STAGE(zr_picture_draw(run, scene, &picture));
     if (has_channels(frame)) {
-        STAGE(draw_channels(arena, team, scene, cancel, frame));
+        STAGE(draw_channels(run, scene, frame));
     } else {
         frame->counts = picture.counts;
     }
@@ -78,136 +77,127 @@ static enum zr_status draw_picture_and_channels(struct zr_arena *arena, struct z
 }
 
 /* Makes the lines of a file. */
-static enum zr_status make_lines(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                 const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
+static enum zr_status make_lines(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
     struct zr_scene edited;
     const struct zr_scene *shown;
-    if (!zr_picture_scene(scratch, scene, &edited, &shown)) return ZR_NO_MEMORY;
-    return zr_mesh_lines_keep(arena, scratch, team, shown, cancel, frame);
+    if (!zr_picture_scene(run->scratch, scene, &edited, &shown)) return ZR_NO_MEMORY;
+    return zr_mesh_lines_keep(run, shown, frame);
 }
 
 /* Only masks and the lines of a file stay in `arena`. */
-static enum zr_status draw_frame(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                 const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame)
+static enum zr_status draw_frame(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
+    const struct zr_run inner = zr_run_in(run, run->scratch);
     const bool has_picture = frame->color && zr_picture_has_own_passes(&scene->picture);
     enum zr_status status = ZR_OK;
-    STAGE(has_picture ? draw_picture_and_channels(scratch, team, scene, cancel, frame)
-                      : draw_channels(scratch, team, scene, cancel, frame));
-    if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(scratch, team, scene, cancel, frame));
-    if (zr_view_has_masks(frame->view)) STAGE(zr_instance_masks_find(arena, scratch, team, scene, cancel, frame));
-    if (zr_view_encodes(frame->view, ZR_ENCODING_SVG)) STAGE(make_lines(arena, scratch, team, scene, cancel, frame));
+    STAGE(has_picture ? draw_picture_and_channels(&inner, scene, frame) : draw_channels(&inner, scene, frame));
+    if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(&inner, scene, frame));
+    if (zr_view_has_masks(frame->view)) STAGE(zr_instance_masks_find(run, scene, frame));
+    if (zr_view_encodes(frame->view, ZR_ENCODING_SVG)) STAGE(make_lines(run, scene, frame));
     return status;
 }
 
 /* Lists the fragments of the pixel that an output asks for. Only they stay in `arena`. */
-static enum zr_status list_fragments(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                     const struct zr_scene *scene, const struct zr_cancel *cancel,
-                                     struct zr_frame *frame)
+static enum zr_status list_fragments(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
     const struct zr_output *pixel = zr_view_output(frame->view, ZR_CHANNEL_FRAGMENTS);
-    return pixel ? zr_pixel_fragments_find(arena, scratch, team, scene, pixel->x, pixel->y, cancel, frame) : ZR_OK;
+    return pixel ? zr_pixel_fragments_find(run, scene, pixel->x, pixel->y, frame) : ZR_OK;
 }
 
 /* Makes a frame without channels. */
-static enum zr_status draw_nothing(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                   const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                                   const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
+static enum zr_status draw_nothing(const struct zr_run *run, const struct zr_scene *scene,
+                                   const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {
     const struct zr_scene *drawn;
     zr_frame_open(resolved, frame);
     frame->base = scene->base;
-    return zr_render_sections(arena, scratch, team, scene, resolved, cancel, frame, &drawn, error);
+    return zr_render_sections(run, scene, resolved, frame, &drawn);
 }
 
-static enum zr_status draw(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                           const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                           const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
+static enum zr_status draw(const struct zr_run *run, const struct zr_scene *scene,
+                           const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {
     const struct zr_scene *drawn;
     enum zr_status status = ZR_OK;
-    STAGE(zr_frame_make(arena, resolved, frame));
-    STAGE(zr_base_place(arena, scene, frame->view, &frame->camera, &frame->base, error));
-    STAGE(zr_render_sections(arena, scratch, team, scene, resolved, cancel, frame, &drawn, error));
-    STAGE(draw_frame(arena, scratch, team, drawn, cancel, frame));
+    STAGE(zr_frame_make(run->arena, resolved, frame));
+    STAGE(zr_base_place(run, scene, frame->view, &frame->camera, &frame->base));
+    STAGE(zr_render_sections(run, scene, resolved, frame, &drawn));
+    STAGE(draw_frame(run, drawn, frame));
     if (status == ZR_OK) zr_color_bar_draw(drawn, frame);
-    STAGE(list_fragments(arena, scratch, team, drawn, cancel, frame));
-    STAGE(zr_render_sections_restore(arena, cancel, frame));
-    if (zr_view_wants(frame->view, ZR_CHANNEL_TRACE))
-        STAGE(zr_trace_make(arena, scratch, team, scene, cancel, frame, error));
+    STAGE(list_fragments(run, drawn, frame));
+    STAGE(zr_render_sections_restore(run->arena, run->cancel, frame));
+    if (zr_view_wants(frame->view, ZR_CHANNEL_TRACE)) STAGE(zr_trace_make(run, scene, frame));
     return status;
 }
 
 /* The same through a lens: the frame of the pinhole picture, in `scratch`, then that of the view. */
-static enum zr_status draw_through_lens(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                        const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                                        const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
+static enum zr_status draw_through_lens(const struct zr_run *run, const struct zr_scene *scene,
+                                        const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {
+    const struct zr_run inner = zr_run_in(run, run->scratch);
     const struct zr_scene *drawn;
     struct zr_frame pinhole = {.width = 0};
     struct zr_lens_drawing drawing;
     struct zr_remap remap;
     enum zr_status status = ZR_OK;
-    STAGE(zr_frame_make(arena, resolved, frame));
-    STAGE(zr_remap_make(scratch, team, resolved->lens, cancel, &remap));
-    STAGE(zr_render_sections(arena, scratch, team, scene, resolved, cancel, &pinhole, &drawn, error));
+    STAGE(zr_frame_make(run->arena, resolved, frame));
+    STAGE(zr_remap_make(&inner, resolved->lens, &remap));
+    STAGE(zr_render_sections(run, scene, resolved, &pinhole, &drawn));
     if (status != ZR_OK) return status;
     zr_lens_drawing_open(drawn, resolved, &drawing);
-    STAGE(zr_frame_make(scratch, &drawing.resolved, &pinhole));
-    STAGE(draw_frame(scratch, scratch, team, &drawing.scene, cancel, &pinhole));
-    STAGE(zr_lens_list_fragments(arena, scratch, team, &drawing, &remap, cancel, &pinhole));
-    STAGE(zr_render_sections_restore(arena, cancel, &pinhole));
-    STAGE(zr_lens_take(team, scene, &remap, &pinhole, cancel, frame));
-    if (pinhole.masks) STAGE(zr_lens_masks_take(arena, scratch, team, &remap, pinhole.masks, cancel, frame));
+    STAGE(zr_frame_make(run->scratch, &drawing.resolved, &pinhole));
+    STAGE(draw_frame(&inner, &drawing.scene, &pinhole));
+    STAGE(zr_lens_list_fragments(run, &drawing, &remap, &pinhole));
+    STAGE(zr_render_sections_restore(run->arena, run->cancel, &pinhole));
+    STAGE(zr_lens_take(run, scene, &remap, &pinhole, frame));
+    if (pinhole.masks) STAGE(zr_lens_masks_take(run, &remap, pinhole.masks, frame));
     if (status == ZR_OK) zr_color_bar_draw(scene, frame);
     return status;
 }
 
-static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                   const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                                   const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
+static enum zr_status run_pipeline(const struct zr_run *run, const struct zr_scene *scene,
+                                   const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {
     enum zr_status status = ZR_OK;
-    if (!resolved) STAGE(zr_resolved_view_find(arena, team, scene, cancel, &resolved, error));
-    STAGE(scene->is_undrawn ? draw_nothing(arena, scratch, team, scene, resolved, cancel, frame, error)
-          : resolved->lens  ? draw_through_lens(arena, scratch, team, scene, resolved, cancel, frame, error)
-                            : draw(arena, scratch, team, scene, resolved, cancel, frame, error));
-    if (status == ZR_OK && zr_view_wants(frame->view, ZR_CHANNEL_INFO))
-        STAGE(zr_frame_parts_find(arena, scratch, team, scene, cancel, frame));
+    if (!resolved) STAGE(zr_resolved_view_find(run, scene, &resolved));
+    STAGE(scene->is_undrawn ? draw_nothing(run, scene, resolved, frame)
+          : resolved->lens  ? draw_through_lens(run, scene, resolved, frame)
+                            : draw(run, scene, resolved, frame));
+    if (status == ZR_OK && zr_view_wants(frame->view, ZR_CHANNEL_INFO)) STAGE(zr_frame_parts_find(run, scene, frame));
     return status;
 }
 
-enum zr_status zr_render_apart(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                               const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                               const struct zr_cancel *cancel, const struct zr_frame **out, struct zr_error *error)
+enum zr_status zr_render_apart(const struct zr_run *run, const struct zr_scene *scene,
+                               const struct zr_resolved_view *resolved, const struct zr_frame **out)
 {
-    struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
-    arena->cancel = scratch->cancel = cancel;
-    enum zr_status status =
-        frame ? run_pipeline(arena, scratch, team, scene, resolved, cancel, frame, error) : ZR_NO_MEMORY;
-    arena->cancel = scratch->cancel = NULL;
-    if (status == ZR_NO_MEMORY && zr_is_cancelled(cancel)) status = ZR_CANCELLED;
-    if (status == ZR_BAD_SCENE && error->count == 0)
-        zr_error_add(error, status, NULL,
+    struct zr_frame *frame = zr_arena_zero(run->arena, 1, sizeof *frame);
+    run->arena->cancel = run->scratch->cancel = run->cancel;
+    enum zr_status status = frame ? run_pipeline(run, scene, resolved, frame) : ZR_NO_MEMORY;
+    run->arena->cancel = run->scratch->cancel = NULL;
+    if (status == ZR_NO_MEMORY && zr_is_cancelled(run->cancel)) status = ZR_CANCELLED;
+    if (status == ZR_BAD_SCENE && run->error->count == 0)
+        zr_error_add(run->error, status, NULL,
                      "the algorithm painter compares more than the %" PRIu64 " spans and samples that are allowed: too "
                      "many of its faces overlap or cut one another; other algorithms, and fewer faces, take less",
                      ZR_PAINTER_WORK_MAX);
     if (status == ZR_NO_MEMORY)
-        zr_error_add(error, status, NULL, "rendering needs more than the %zu bytes a request may use%s", arena->ceiling,
+        zr_error_add(run->error, status, NULL, "rendering needs more than the %zu bytes a request may use%s",
+                     run->arena->ceiling,
                      zr_any_is_see_through(scene->materials, scene->material_count) ||
                              zr_any_is_xray(scene->materials, scene->material_count)
                          ? ": all layers of translucent surfaces are kept, 8 bytes per pixel and layer"
                          : "");
-    if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "rendering was stopped before it was done");
-    if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "the algorithm failed");
+    if (status == ZR_CANCELLED) zr_error_add(run->error, status, NULL, "rendering was stopped before it was done");
+    if (status == ZR_INTERNAL) zr_error_add(run->error, status, NULL, "the algorithm failed");
     *out = frame;
     return status;
 }
 
-enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
-                         const struct zr_frame **frame, struct zr_error *error)
+enum zr_status zr_render(const struct zr_run *run, const struct zr_scene *scene,
+                         const struct zr_resolved_view *resolved, const struct zr_frame **frame)
 {
-    return zr_render_apart(arena, arena, team, scene, resolved, cancel, frame, error);
+    struct zr_run alone = *run;
+    alone.scratch = run->arena;
+    return zr_render_apart(&alone, scene, resolved, frame);
 }

@@ -1,6 +1,7 @@
 #include "render/section_pass.h"
 
 #include "base/cancel.h"
+#include "base/run.h"
 
 /* Distance of the lines of the hatch in pixels of a window whose smaller side has this many; the root of the side
  * scales it. */
@@ -41,23 +42,22 @@ static enum zr_status keep(struct zr_arena *arena, const struct zr_sections_cut 
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-enum zr_status zr_render_sections(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                                  const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                                  const struct zr_cancel *cancel, struct zr_frame *frame, const struct zr_scene **drawn,
-                                  struct zr_error *error)
+enum zr_status zr_render_sections(const struct zr_run *run, const struct zr_scene *scene,
+                                  const struct zr_resolved_view *resolved, struct zr_frame *frame,
+                                  const struct zr_scene **drawn)
 {
     const struct zr_sections_cut *cut;
     struct zr_section_planes planes;
     *drawn = scene;
     if (scene->sections.count == 0) return ZR_OK;
-    enum zr_status status = zr_section_planes_find(scene, resolved, &planes, error);
+    const struct zr_run inner = zr_run_in(run, run->scratch);
+    enum zr_status status = zr_section_planes_find(scene, resolved, &planes, run->error);
     if (status != ZR_OK) return status;
     const double diagonal = (double)zr_diagonal_of(&resolved->bounds);
-    status =
-        zr_sections_make(scratch, team, scene, &planes, diagonal, hatch_pitch(resolved, diagonal), cancel, &cut, error);
+    status = zr_sections_make(&inner, scene, &planes, diagonal, hatch_pitch(resolved, diagonal), &cut);
     if (status != ZR_OK) return status;
     *drawn = cut->scene;
-    return keep(arena, cut, frame);
+    return keep(run->arena, cut, frame);
 }
 
 static uint32_t whole_id(const struct zr_sections_cut *cut, uint32_t id)

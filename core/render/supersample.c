@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/rgba.h"
+#include "base/run.h"
 #include "render/layers.h"
 #include "scene/channels.h"
 #include "shade/models/xray.h"
@@ -245,10 +246,9 @@ enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *
     return draw(team, &drawing, frame);
 }
 
-enum zr_status zr_supersample_light(struct zr_team *team, const struct zr_pass *pass,
-                                    const struct zr_sample_stages *stages, uint32_t side,
-                                    const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_supersample_light(const struct zr_run *run, const struct zr_pass *pass,
+                                    const struct zr_sample_stages *stages, uint32_t side, struct zr_frame *frame)
 {
-    struct drawing drawing = {.pass = pass, .stages = stages, .side = side, .cancel = cancel};
-    return draw(team, &drawing, frame);
+    struct drawing drawing = {.pass = pass, .stages = stages, .side = side, .cancel = run->cancel};
+    return draw(run->team, &drawing, frame);
 }

@@ -9,6 +9,7 @@
 #ifndef ZR_SUPERSAMPLE_H
 #define ZR_SUPERSAMPLE_H
 
+#include "base/run.h"
 #include "effects/edges.h"
 #include "effects/occlusion.h"
 #include "render/pass.h"
@@ -37,9 +38,8 @@ enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *
                                     const struct zr_cancel *cancel, struct zr_frame *frame);
 
 /* Lights the samples in linear light and writes their averages to stages->out. Otherwise as above. */
-enum zr_status zr_supersample_light(struct zr_team *team, const struct zr_pass *pass,
-                                    const struct zr_sample_stages *stages, uint32_t side,
-                                    const struct zr_cancel *cancel, struct zr_frame *frame);
+enum zr_status zr_supersample_light(const struct zr_run *run, const struct zr_pass *pass,
+                                    const struct zr_sample_stages *stages, uint32_t side, struct zr_frame *frame);
 
 /* Kernels that average a tile's samples. */
 struct zr_averages {

@@ -3,6 +3,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "render/layers.h"
 #include "render/resolve.h"
 
@@ -74,19 +75,18 @@ static void draw_range(void *context, size_t begin, size_t end)
     raise_to(&d->deepest, deepest);
 }
 
-enum zr_status zr_tiles_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_tile_source *tiles,
-                             const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_tiles_draw(const struct zr_run *run, const struct zr_tile_source *tiles, struct zr_frame *frame)
 {
     const size_t count = zr_tile_count(frame->width, frame->height);
     struct drawing drawing = {.tiles = tiles,
-                              .isa = zr_team_isa(team),
+                              .isa = zr_team_isa(run->team),
                               .frame = frame,
-                              .cancel = cancel,
-                              .occupied = zr_arena_alloc(arena, count, 1)};
+                              .cancel = run->cancel,
+                              .occupied = zr_arena_alloc(run->arena, count, 1)};
     if (!drawing.occupied) return ZR_NO_MEMORY;
-    zr_team_ranges(count > TILES_ALONE ? team : NULL, count, TILES_A_RANGE, draw_range, &drawing);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    zr_team_ranges(count > TILES_ALONE ? run->team : NULL, count, TILES_A_RANGE, draw_range, &drawing);
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     zr_frame_find_spans(frame, drawing.occupied);
     frame->covered_pixels = drawing.covered;
     const unsigned deepest = drawing.deepest;

@@ -2,6 +2,7 @@
 #ifndef ZR_TILES_H
 #define ZR_TILES_H
 
+#include "base/run.h"
 #include "render/tile_source.h"
 #include "shade/frame.h"
 
@@ -12,7 +13,6 @@ bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, c
 
 /* Writes all channels of the frame, and its spans, covered_pixels and deepest. Returns ZR_OK, ZR_CANCELLED or
  * ZR_NO_MEMORY. */
-enum zr_status zr_tiles_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_tile_source *tiles,
-                             const struct zr_cancel *cancel, struct zr_frame *frame);
+enum zr_status zr_tiles_draw(const struct zr_run *run, const struct zr_tile_source *tiles, struct zr_frame *frame);
 
 #endif

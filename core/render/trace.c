@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "base/run.h"
 #include "geometry/build.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
@@ -58,39 +59,38 @@ static enum zr_status refuse_steps(const struct zr_frame *frame, const struct zr
 }
 
 /* Runs the algorithm. A trace that raised its own flag is beyond its bounds, or without memory. */
-static enum zr_status record(struct zr_arena *scratch, const struct zr_geometry *geometry, enum zr_algorithm algorithm,
-                             const struct zr_cancel *cancel, struct zr_samples *samples)
+static enum zr_status record(const struct zr_run *run, const struct zr_geometry *geometry, enum zr_algorithm algorithm,
+                             struct zr_samples *samples)
 {
     zr_visibility_fn *window_at_once = zr_visibility_of(algorithm);
     struct zr_trace *trace = samples->trace;
-    const enum zr_status status =
-        (window_at_once ? window_at_once : zr_plain_halfspace)(scratch, geometry, &trace->cancel, samples);
+    const struct zr_run recorded = {.arena = run->scratch, .cancel = &trace->cancel};
+    const enum zr_status status = (window_at_once ? window_at_once : zr_plain_halfspace)(&recorded, geometry, samples);
     zr_trace_close(trace);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     if (!zr_arena_ok(trace->arena)) return ZR_NO_MEMORY;
     return trace->is_beyond ? ZR_OK : status;
 }
 
-enum zr_status zr_trace_make(struct zr_arena *arena, struct zr_arena *scratch, struct zr_team *team,
-                             const struct zr_scene *scene, const struct zr_cancel *cancel, struct zr_frame *frame,
-                             struct zr_error *error)
+enum zr_status zr_trace_make(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
+    const struct zr_run inner = zr_run_in(run, run->scratch);
     const struct zr_window window = zr_window_of(scene, frame->width, frame->height, 1);
-    struct zr_geometry *geometry = zr_arena_alloc(scratch, 1, sizeof *geometry);
-    struct zr_trace *trace = zr_arena_zero(arena, 1, sizeof *trace);
+    struct zr_geometry *geometry = zr_arena_alloc(run->scratch, 1, sizeof *geometry);
+    struct zr_trace *trace = zr_arena_zero(run->arena, 1, sizeof *trace);
     struct zr_primitives primitives = {.count = 0};
     struct zr_samples samples;
     enum zr_status status = ZR_OK;
-    if (!geometry || !trace || !make_samples(scratch, &window, trace, &samples)) return ZR_NO_MEMORY;
-    trace->arena = arena;
-    trace->cancel.parent = cancel;
-    STAGE(zr_geometry_build(scratch, team, scene, &frame->camera, &window, cancel, true, geometry));
-    STAGE(zr_primitives_make(scratch, geometry, &samples, cancel, &primitives));
+    if (!geometry || !trace || !make_samples(run->scratch, &window, trace, &samples)) return ZR_NO_MEMORY;
+    trace->arena = run->arena;
+    trace->cancel.parent = run->cancel;
+    STAGE(zr_geometry_build(&inner, scene, &frame->camera, &window, true, geometry));
+    STAGE(zr_primitives_make(run->scratch, geometry, &samples, run->cancel, &primitives));
     if (status == ZR_OK && primitives.count > ZR_TRACE_PRIMITIVES_MAX)
-        return refuse_primitives(frame, primitives.count, error);
+        return refuse_primitives(frame, primitives.count, run->error);
     if (status == ZR_OK) zr_trace_open(trace, words[scene->algorithm], geometry, &primitives);
-    STAGE(record(scratch, geometry, scene->algorithm, cancel, &samples));
-    if (status == ZR_OK && trace->is_beyond) return refuse_steps(frame, trace, error);
+    STAGE(record(run, geometry, scene->algorithm, &samples));
+    if (status == ZR_OK && trace->is_beyond) return refuse_steps(frame, trace, run->error);
     frame->trace = trace;
     return status;
 }

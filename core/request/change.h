@@ -4,16 +4,18 @@
 
 #include "core.h"
 
+#include "base/run.h"
+
 struct zr_kept; /* input/scene/kept.h */
 
 /* Reads a scene as zr_scene_read does, with the same errors, and keeps the parts that changes need. The body may be
  * freed after the call. The texts of parameters and the assets must stay as long as the arena. */
-enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                             const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error);
+enum zr_status zr_scene_keep(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
+                             struct zr_kept **kept);
 
 /* The same for a scene that changes only if it has several views; other scenes are read as by zr_scene_read. */
-enum zr_status zr_scene_keep_for_views(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                                       const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error);
+enum zr_status zr_scene_keep_for_views(const struct zr_run *run, const struct zr_request *request,
+                                       const struct zr_limits *limits, struct zr_kept **kept);
 
 /* Returns the scene without a change. */
 const struct zr_scene *zr_kept_scene(const struct zr_kept *kept);
@@ -23,12 +25,12 @@ const struct zr_scene *zr_kept_scene(const struct zr_kept *kept);
  * those of the first request, and its assets join them. *scene equals the scene that zr_scene_read makes from all of
  * these keys, parameters and assets together. It lives in `arena` and points to the kept one. Any number of threads may
  * call at once, each with its own arena. Errors: those of zr_scene_read, with the same pointers. */
-enum zr_status zr_scene_change(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept,
-                               const struct zr_request *change, const struct zr_scene **scene, struct zr_error *error);
+enum zr_status zr_scene_change(const struct zr_run *run, const struct zr_kept *kept, const struct zr_request *change,
+                               const struct zr_scene **scene);
 
 /* Makes frame `number` of a kept scene whose set of views is an animation. *scene equals the scene that is read with
  * the matrices of this frame. It lives in `arena` and points to the kept one; threads as for zr_scene_change. */
-enum zr_status zr_scene_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept, uint32_t number,
-                              const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error);
+enum zr_status zr_scene_frame(const struct zr_run *run, const struct zr_kept *kept, uint32_t number,
+                              const struct zr_scene **scene);
 
 #endif

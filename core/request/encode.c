@@ -6,17 +6,18 @@
 #include <string.h>
 
 #include "base/rgba.h"
+#include "base/run.h"
 #include "output/images/depth16.h"
-#include "output/json/fragments_json.h"
-#include "output/info.h"
-#include "output/line_file.h"
 #include "output/images/lossy.h"
+#include "output/images/png.h"
+#include "output/images/tiff.h"
+#include "output/info.h"
+#include "output/json/fragments_json.h"
+#include "output/json/trace_json.h"
+#include "output/line_file.h"
 #include "output/masks.h"
 #include "output/npy.h"
 #include "output/pfm.h"
-#include "output/images/png.h"
-#include "output/images/tiff.h"
-#include "output/json/trace_json.h"
 #include "scene/looks.h"
 #include "scene/output.h"
 #include "scene/scene.h"
@@ -27,17 +28,14 @@ enum { ENCODERS_SIZE = 256 };
 
 /* Inputs of encoding, and the results that the output info reports about the other outputs. */
 struct encoding {
-    struct zr_arena *arena;
-    struct zr_team *team;
+    const struct zr_run *run;
     const struct zr_scene *scene;
     const struct zr_frame *frame;
-    const struct zr_cancel *cancel;
     float depth_scale;                         /* scene units per step of 16-bit depth; 0: no such output */
     uint64_t misfits;                          /* pixels whose depth does not fit 16 bits */
     char *encoders;                            /* ENCODERS_SIZE bytes: of files made so far */
     const struct zr_drawing_warnings *drawing; /* NULL: made from the scene */
     struct zr_warning_list warnings;
-    struct zr_error *error;
 };
 
 /* Encodes as a PNG with the palette that it may have, as one that is always RGBA, or as a frame without a palette. */
@@ -51,7 +49,7 @@ static enum zr_status encode_color(const struct encoding *e, enum zr_encoding en
                          .spans = e->frame->spans,
                          .compress = e->scene->compress,
                          .has_no_palette = encoding != ZR_ENCODING_PNG};
-    return zr_png_write(&png, e->team, e->cancel, out);
+    return zr_png_write(&png, e->run->team, e->run->cancel, out);
 }
 
 /* Maps value * scale + offset, 0 .. 1, to 0 .. 255; uncovered pixels are black. */
@@ -61,7 +59,7 @@ static enum zr_status encode_triples(const struct encoding *e, enum zr_channel c
     const struct zr_frame *frame = e->frame;
     const size_t pixels = (size_t)frame->width * frame->height;
     const float *n = frame->channels[channel];
-    uint32_t *colors = zr_arena_alloc(e->arena, pixels, sizeof *colors);
+    uint32_t *colors = zr_arena_alloc(e->run->arena, pixels, sizeof *colors);
     if (!colors) return ZR_NO_MEMORY;
     for (size_t i = 0; i < pixels; i++, n += 3) {
         const bool uncovered = n[0] == 0.0f && n[1] == 0.0f && n[2] == 0.0f;
@@ -74,7 +72,7 @@ static enum zr_status encode_triples(const struct encoding *e, enum zr_channel c
                                .pixels = colors,
                                .spans = frame->spans,
                                .compress = e->scene->compress};
-    return zr_png_write(&png, e->team, e->cancel, out);
+    return zr_png_write(&png, e->run->team, e->run->cancel, out);
 }
 
 /* Returns the channel's values, moved to 0 and +inf outside of the output's range. NULL without memory. */
@@ -83,7 +81,7 @@ static const void *find_values(const struct encoding *e, const struct zr_output 
     const float *depth = e->frame->channels[output->channel];
     const size_t pixels = (size_t)e->frame->width * e->frame->height;
     if (!output->has_range) return depth;
-    float *out = zr_arena_alloc(e->arena, pixels, sizeof *out);
+    float *out = zr_arena_alloc(e->run->arena, pixels, sizeof *out);
     for (size_t i = 0; out && i < pixels; i++)
         out[i] = depth[i] < output->range[0] ? 0.0f : depth[i] > output->range[1] ? INFINITY : depth[i];
     return out;
@@ -95,7 +93,7 @@ static const float *values_for_steps(const struct encoding *e, enum zr_channel c
     const size_t pixels = (size_t)e->frame->width * e->frame->height;
     const float *values = e->frame->channels[channel];
     if (channel != ZR_CHANNEL_THICKNESS) return values;
-    float *made = zr_arena_alloc(e->arena, pixels, sizeof *made);
+    float *made = zr_arena_alloc(e->run->arena, pixels, sizeof *made);
     for (size_t i = 0; made && i < pixels; i++)
         made[i] = values[i] > 0.0f ? values[i] : INFINITY;
     return made;
@@ -110,7 +108,7 @@ static enum zr_status encode_depth16(struct encoding *e, const struct zr_output 
                                  .spans = is_depth ? frame->spans : NULL,
                                  .scale = zr_depth16_scale(frame, output->scale),
                                  .range = output->has_range ? output->range : NULL,
-                                 .make_steps = zr_depth16_of(zr_team_isa(e->team))};
+                                 .make_steps = zr_depth16_of(zr_team_isa(e->run->team))};
     if (!depth16.values) return ZR_NO_MEMORY;
     char comment[160];
     const int used = snprintf(comment, sizeof comment, "%s in scene units = value * %.9g; ",
@@ -127,7 +125,7 @@ static enum zr_status encode_depth16(struct encoding *e, const struct zr_output 
                                .spans = depth16.spans,
                                .text = comment,
                                .compress = e->scene->compress};
-    const enum zr_status status = zr_png_write(&png, e->team, e->cancel, out);
+    const enum zr_status status = zr_png_write(&png, e->run->team, e->run->cancel, out);
     if (is_depth) e->depth_scale = depth16.scale;
     e->misfits += depth16.misfits;
     return status;
@@ -162,9 +160,9 @@ static enum zr_status encode_lossy(struct encoding *e, const struct zr_output *o
     zr_lossy_write_fn *write = output->encoding == ZR_ENCODING_JPEG ? zr_jpeg_write : zr_webp_write;
     const size_t most = output->max_bytes > 0 ? output->max_bytes : SIZE_MAX;
     struct zr_lossy_file file;
-    const enum zr_status status = zr_lossy_fit(write, e->arena, &image, most, e->cancel, &file);
+    const enum zr_status status = zr_lossy_fit(e->run, write, &image, most, &file);
     if (status != ZR_OK) return status;
-    *out = (struct zr_buffer){e->arena, file.bytes, file.size, file.size};
+    *out = (struct zr_buffer){e->run->arena, file.bytes, file.size, file.size};
     if (file.bytes) note_encoder(e, output, file.quality);
     return ZR_OK;
 }
@@ -177,7 +175,7 @@ static enum zr_status check_size(const struct encoding *e, uint32_t number, size
     if (output->max_bytes == 0 || size <= output->max_bytes) return ZR_OK;
     const bool is_lossy = zr_encoding_has(output->encoding, ZR_ENCODING_HAS_QUALITY) && !output->is_lossless;
     snprintf(pointer, sizeof pointer, "/outputs/%u/maxBytes", number);
-    return zr_error_add(e->error, ZR_BAD_SCENE, pointer,
+    return zr_error_add(e->run->error, ZR_BAD_SCENE, pointer,
                         "%u bytes are too few for this picture, which has %zu%s; a smaller window takes fewer",
                         output->max_bytes, size, is_lossy ? " at the quality 1" : "");
 }
@@ -185,7 +183,7 @@ static enum zr_status check_size(const struct encoding *e, uint32_t number, size
 static enum zr_status encode_output(struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
 {
     const struct zr_frame *f = e->frame;
-    if (zr_is_cancelled(e->cancel)) return ZR_CANCELLED;
+    if (zr_is_cancelled(e->run->cancel)) return ZR_CANCELLED;
     const struct zr_channel_row *row = &zr_channel_rows[output->channel];
     const void *values;
     switch (output->encoding) {
@@ -206,9 +204,9 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
                             row->words, values, out);
     case ZR_ENCODING_JSON:
         if (output->channel == ZR_CHANNEL_FRAGMENTS) return zr_fragments_json_write(e->scene, f, out);
-        if (output->channel == ZR_CHANNEL_TRACE) return zr_trace_json_write(f->trace, e->cancel, out);
-        if (output->channel == ZR_CHANNEL_MASKS) return zr_masks_json_write(e->scene, f, e->cancel, out);
-        return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, e->encoders, e->cancel, out);
+        if (output->channel == ZR_CHANNEL_TRACE) return zr_trace_json_write(f->trace, e->run->cancel, out);
+        if (output->channel == ZR_CHANNEL_MASKS) return zr_masks_json_write(e->scene, f, e->run->cancel, out);
+        return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, e->encoders, e->run->cancel, out);
     case ZR_ENCODING_SVG:
         return zr_line_file_write(e->scene, f, out) ? ZR_OK : ZR_NO_MEMORY;
     case ZR_ENCODING_PFM:
@@ -218,7 +216,7 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     case ZR_ENCODING_WEBP:
         return encode_lossy(e, output, out);
     case ZR_ENCODING_ZIP:
-        return zr_masks_zip_write(f, e->cancel, e->error, out);
+        return zr_masks_zip_write(f, e->run->cancel, e->run->error, out);
     case ZR_ENCODING_COUNT:
         break;
     }
@@ -240,10 +238,10 @@ static const char *file_name(struct zr_arena *arena, const struct zr_output *out
 static enum zr_status find_warnings(struct encoding *e)
 {
     const struct zr_drawing_warnings made =
-        e->drawing ? *e->drawing : zr_drawing_warnings_make(e->arena, e->scene, e->frame);
-    e->warnings = zr_warnings_list(e->arena, &made, e->misfits);
-    if (!zr_arena_ok(e->arena)) return ZR_NO_MEMORY;
-    return zr_strict_check(e->scene, e->warnings.texts, e->warnings.count, e->error);
+        e->drawing ? *e->drawing : zr_drawing_warnings_make(e->run->arena, e->scene, e->frame);
+    e->warnings = zr_warnings_list(e->run->arena, &made, e->misfits);
+    if (!zr_arena_ok(e->run->arena)) return ZR_NO_MEMORY;
+    return zr_strict_check(e->scene, e->warnings.texts, e->warnings.count, e->run->error);
 }
 
 /* Encodes all outputs except info, then collects warnings, then encodes info, which reports them. */
@@ -254,11 +252,11 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
         for (uint32_t i = 0; i < view->output_count; i++) {
             const struct zr_output *output = &view->outputs[i];
             if ((output->channel == ZR_CHANNEL_INFO) != (reports == 1)) continue;
-            struct zr_buffer out = {.arena = e->arena};
+            struct zr_buffer out = {.arena = e->run->arena};
             enum zr_status status = encode_output(e, output, &out);
             if (status == ZR_OK) status = check_size(e, i, out.size);
             if (status != ZR_OK) return status;
-            entries[i] = (struct zr_zip_entry){file_name(e->arena, output), out.bytes, out.size};
+            entries[i] = (struct zr_zip_entry){file_name(e->run->arena, output), out.bytes, out.size};
             types[i] = zr_encoding_rows[output->encoding].type;
         }
         if (reports) continue;
@@ -310,26 +308,24 @@ static enum zr_status make_files(struct encoding *e, struct zr_files *files)
 {
     const uint32_t count = e->frame->view->output_count;
     enum zr_status status = e->scene->is_strict ? find_warnings(e) : ZR_OK; /* before images are compressed */
-    struct zr_zip_entry *entries = zr_arena_alloc(e->arena, count, sizeof *entries);
-    const char **types = zr_arena_alloc(e->arena, count, sizeof *types);
-    e->encoders = zr_arena_zero(e->arena, ENCODERS_SIZE, 1);
+    struct zr_zip_entry *entries = zr_arena_alloc(e->run->arena, count, sizeof *entries);
+    const char **types = zr_arena_alloc(e->run->arena, count, sizeof *types);
+    e->encoders = zr_arena_zero(e->run->arena, ENCODERS_SIZE, 1);
     if (status == ZR_OK) status = entries && types && e->encoders ? encode_all(e, entries, types) : ZR_NO_MEMORY;
     *files = (struct zr_files){count, entries, types, e->warnings, e->encoders};
     return status;
 }
 
-enum zr_status zr_encode_files(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                               const struct zr_frame *frame, const struct zr_drawing_warnings *drawing,
-                               const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error)
+enum zr_status zr_encode_files(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame,
+                               const struct zr_drawing_warnings *drawing, struct zr_files *files)
 {
-    struct encoding encoding = {.arena = arena,
-                                .team = team,
-                                .scene = scene,
-                                .frame = frame,
-                                .cancel = cancel,
-                                .drawing = drawing,
-                                .error = error};
-    return explain(arena, make_files(&encoding, files), error);
+    struct encoding encoding = {
+        .run = run,
+        .scene = scene,
+        .frame = frame,
+        .drawing = drawing,
+    };
+    return explain(run->arena, make_files(&encoding, files), run->error);
 }
 
 enum zr_status zr_files_describe(struct zr_arena *arena, const struct zr_files *files, const struct zr_scene *scene,
@@ -349,11 +345,10 @@ enum zr_status zr_files_answer(struct zr_arena *arena, const struct zr_files *fi
     return status == ZR_OK ? explain(arena, zr_files_join(arena, files, answer, error), error) : status;
 }
 
-enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
-                         struct zr_error *error)
+enum zr_status zr_encode(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame,
+                         struct zr_answer *answer)
 {
     struct zr_files files;
-    const enum zr_status status = zr_encode_files(arena, team, scene, frame, NULL, cancel, &files, error);
-    return status == ZR_OK ? zr_files_answer(arena, &files, scene, answer, error) : status;
+    const enum zr_status status = zr_encode_files(run, scene, frame, NULL, &files);
+    return status == ZR_OK ? zr_files_answer(run->arena, &files, scene, answer, run->error) : status;
 }

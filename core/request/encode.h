@@ -2,6 +2,7 @@
 #ifndef ZR_ENCODE_H
 #define ZR_ENCODE_H
 
+#include "base/run.h"
 #include "core.h"
 #include "output/json/warnings.h"
 #include "output/zip.h"
@@ -19,9 +20,8 @@ struct zr_files {
 
 /* Encodes each output. `drawing` may be NULL; with it, the scene needs no geometry (api/remains.h). Other arguments
  * and errors are those of zr_encode, which makes its answer from these files. */
-enum zr_status zr_encode_files(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                               const struct zr_frame *frame, const struct zr_drawing_warnings *drawing,
-                               const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error);
+enum zr_status zr_encode_files(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame,
+                               const struct zr_drawing_warnings *drawing, struct zr_files *files);
 
 /* Joins files as the answer of a render: a single one as it is, several as a ZIP. Sets type, bytes and size. Fails with
  * ZR_BAD_SCENE for 4 GiB or more, or with ZR_NO_MEMORY. */

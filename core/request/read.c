@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "base/run.h"
 #include "geometry/geometry.h"
 #include "input/formats/formats.h"
 #include "input/formats/input.h"
@@ -174,32 +175,32 @@ static enum zr_status read_body(struct zr_scene_builder *builder, const struct z
     return status;
 }
 
-static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+static enum zr_status read_scene(const struct zr_run *run, const struct zr_request *request,
                                  const struct zr_limits *limits, const struct zr_keeping *keeping,
-                                 struct zr_scene *scene, struct zr_error *error)
+                                 struct zr_scene *scene)
 {
     struct zr_query query;
     zr_scene_defaults(scene);
-    struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
+    struct zr_scene_builder builder = zr_scene_builder_open(run->arena, run->team, scene);
     builder.keeping = keeping;
     builder.read_model = read_model;
-    enum zr_status status = zr_query_read(request, limits, &builder, &query, error);
+    enum zr_status status = zr_query_read(request, limits, &builder, &query, run->error);
     if (status != ZR_OK) return status;
-    status = name_bytes(request, read_body(&builder, request, limits, error), error);
-    if (status == ZR_OK) status = zr_query_apply(&query, error);
+    status = name_bytes(request, read_body(&builder, request, limits, run->error), run->error);
+    if (status == ZR_OK) status = zr_query_apply(&query, run->error);
     if (status != ZR_OK) return status;
     zr_default_output_use(scene);
-    zr_color_bar_warn(arena, scene, &scene->views[0], &builder.warnings);
-    zr_view_matrices_warn(arena, &scene->views[0], &builder.warnings);
+    zr_color_bar_warn(run->arena, scene, &scene->views[0], &builder.warnings);
+    zr_view_matrices_warn(run->arena, &scene->views[0], &builder.warnings);
     zr_zip_body_warn(&builder, request);
     zr_scene_builder_close(&builder);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     zr_query_orient(&query);
-    status = complete_sheet(request, scene, error);
-    if (status == ZR_OK) status = edit_parts(request, &builder, error);
-    if (status == ZR_OK) status = validate(request, scene, limits, error);
-    if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
-    return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
+    status = complete_sheet(request, scene, run->error);
+    if (status == ZR_OK) status = edit_parts(request, &builder, run->error);
+    if (status == ZR_OK) status = validate(request, scene, limits, run->error);
+    if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, run->error);
+    return status == ZR_OK && !fits_memory(run->arena, scene) ? ZR_NO_MEMORY : status;
 }
 
 /* Finds the format, and the model in a ZIP archive. */
@@ -232,61 +233,61 @@ static bool keep_body(struct zr_arena *arena, const struct zr_request *body, con
 }
 
 /* Reads a scene; `keeping` is NULL unless it is kept or changed. */
-static enum zr_status read_request(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+static enum zr_status read_request(const struct zr_run *run, const struct zr_request *request,
                                    const struct zr_limits *limits, const struct zr_keeping *keeping,
-                                   const struct zr_scene **scene, struct zr_error *error)
+                                   const struct zr_scene **scene)
 {
-    struct zr_scene *made = zr_arena_alloc(arena, 1, sizeof *made);
+    struct zr_scene *made = zr_arena_alloc(run->arena, 1, sizeof *made);
     struct zr_request body = *request;
     const char *model = NULL;
-    arena->cancel = request->cancel;
-    enum zr_status status = made ? open_body(arena, &body, &model, error) : ZR_NO_MEMORY;
+    run->arena->cancel = request->cancel;
+    enum zr_status status = made ? open_body(run->arena, &body, &model, run->error) : ZR_NO_MEMORY;
     if (status == ZR_OK) {
         const size_t mark = skip_byte_order_mark(&body);
-        status = read_scene(arena, team, &body, limits, keeping, made, error);
-        count_skipped(error, mark);
-        status = zr_zip_body_check(&body, model, status, error);
+        status = read_scene(run, &body, limits, keeping, made);
+        count_skipped(run->error, mark);
+        status = zr_zip_body_check(&body, model, status, run->error);
     }
     const bool keeps = keeping && keeping->into && (made->view_set || !keeping->if_views);
-    if (status == ZR_OK && keeps && !keep_body(arena, &body, made, keeping->into)) status = ZR_NO_MEMORY;
-    arena->cancel = NULL;
+    if (status == ZR_OK && keeps && !keep_body(run->arena, &body, made, keeping->into)) status = ZR_NO_MEMORY;
+    run->arena->cancel = NULL;
     if (zr_is_cancelled(request->cancel)) {
-        *error = (struct zr_error){0}; /* faults of a partly read body */
-        return zr_error_add(error, ZR_CANCELLED, NULL, "reading was stopped before it was done");
+        *run->error = (struct zr_error){0}; /* faults of a partly read body */
+        return zr_error_add(run->error, ZR_CANCELLED, NULL, "reading was stopped before it was done");
     }
-    if ((status == ZR_OK && !zr_arena_ok(arena)) || (status == ZR_NO_MEMORY && error->count == 0))
-        status =
-            zr_error_add(error, ZR_NO_MEMORY, NULL,
-                         "the scene needs more memory than the %zu bytes that one request may have", arena->ceiling);
+    if ((status == ZR_OK && !zr_arena_ok(run->arena)) || (status == ZR_NO_MEMORY && run->error->count == 0))
+        status = zr_error_add(run->error, ZR_NO_MEMORY, NULL,
+                              "the scene needs more memory than the %zu bytes that one request may have",
+                              run->arena->ceiling);
     if (status != ZR_OK) return status;
     *scene = made;
     return ZR_OK;
 }
 
-enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                             const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error)
+enum zr_status zr_scene_read(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
+                             const struct zr_scene **scene)
 {
-    return read_request(arena, team, request, limits, NULL, scene, error);
+    return read_request(run, request, limits, NULL, scene);
 }
 
-static enum zr_status keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                           const struct zr_limits *limits, bool if_views, struct zr_kept **kept, struct zr_error *error)
+static enum zr_status keep(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
+                           bool if_views, struct zr_kept **kept)
 {
-    struct zr_kept *made = zr_arena_zero(arena, 1, sizeof *made);
-    struct zr_image_record *images = zr_arena_alloc(arena, 1, sizeof *images);
-    struct zr_request *lasting = zr_arena_alloc(arena, 1, sizeof *lasting);
+    struct zr_kept *made = zr_arena_zero(run->arena, 1, sizeof *made);
+    struct zr_image_record *images = zr_arena_alloc(run->arena, 1, sizeof *images);
+    struct zr_request *lasting = zr_arena_alloc(run->arena, 1, sizeof *lasting);
     const struct zr_keeping keeping = {.into = made, .if_views = if_views};
     struct zr_request first = *request;
-    if (request->frames && !if_views) first.bytes = zr_arena_copy(arena, request->bytes, request->size);
-    if (!zr_arena_ok(arena))
-        return zr_error_add(error, ZR_NO_MEMORY, NULL, "a scene needs more than %zu bytes", arena->ceiling);
+    if (request->frames && !if_views) first.bytes = zr_arena_copy(run->arena, request->bytes, request->size);
+    if (!zr_arena_ok(run->arena))
+        return zr_error_add(run->error, ZR_NO_MEMORY, NULL, "a scene needs more than %zu bytes", run->arena->ceiling);
     made->images = images;
     *lasting = *request;
     made->request = lasting;
     made->limits = *limits;
     first.images = zr_image_record_open(images, &request->images);
     if (request->frames) first.meshes = (struct zr_kept_meshes){.hash = NULL}; /* each frame finds these images */
-    const enum zr_status status = read_request(arena, team, &first, limits, &keeping, &made->scene, error);
+    const enum zr_status status = read_request(run, &first, limits, &keeping, &made->scene);
     made->request->images = zr_image_record_lend(images);
     made->request->texts = (struct zr_kept_texts){.find = NULL};
     made->request->meshes = (struct zr_kept_meshes){.hash = NULL};
@@ -298,62 +299,61 @@ static enum zr_status keep(struct zr_arena *arena, struct zr_team *team, const s
     return status;
 }
 
-enum zr_status zr_scene_keep(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                             const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error)
+enum zr_status zr_scene_keep(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
+                             struct zr_kept **kept)
 {
-    return keep(arena, team, request, limits, false, kept, error);
+    return keep(run, request, limits, false, kept);
 }
 
-enum zr_status zr_scene_keep_for_views(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                                       const struct zr_limits *limits, struct zr_kept **kept, struct zr_error *error)
+enum zr_status zr_scene_keep_for_views(const struct zr_run *run, const struct zr_request *request,
+                                       const struct zr_limits *limits, struct zr_kept **kept)
 {
-    return keep(arena, team, request, limits, true, kept, error);
+    return keep(run, request, limits, true, kept);
 }
 
-enum zr_status zr_scene_change(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept,
-                               const struct zr_request *change, const struct zr_scene **scene, struct zr_error *error)
+enum zr_status zr_scene_change(const struct zr_run *run, const struct zr_kept *kept, const struct zr_request *change,
+                               const struct zr_scene **scene)
 {
     struct zr_request request;
     struct zr_keeping keeping;
-    enum zr_status status = zr_change_read(arena, kept, change, &request, &keeping, error);
-    if (status == ZR_NO_MEMORY && error->count == 0)
-        zr_error_add(error, status, NULL, "the change needs more than %zu bytes", arena->ceiling);
-    return status == ZR_OK ? read_request(arena, team, &request, &kept->limits, &keeping, scene, error) : status;
+    enum zr_status status = zr_change_read(run->arena, kept, change, &request, &keeping, run->error);
+    if (status == ZR_NO_MEMORY && run->error->count == 0)
+        zr_error_add(run->error, status, NULL, "the change needs more than %zu bytes", run->arena->ceiling);
+    return status == ZR_OK ? read_request(run, &request, &kept->limits, &keeping, scene) : status;
 }
 
 /* Reads the file of a kept scene at another time of its animation. */
-static enum zr_status read_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept, double time,
-                                 const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error)
+static enum zr_status read_frame(const struct zr_run *run, const struct zr_kept *kept, double time,
+                                 const struct zr_scene **scene)
 {
-    char *text = zr_arena_alloc(arena, ZR_TIME_SIZE, 1);
+    char *text = zr_arena_alloc(run->arena, ZR_TIME_SIZE, 1);
     struct zr_request request = *kept->request;
     if (!text) return ZR_NO_MEMORY;
     snprintf(text, ZR_TIME_SIZE, "%.6f", time);
     request.bytes = kept->body;
     request.size = kept->body_size;
-    request.cancel = cancel;
+    request.cancel = run->cancel;
     request.time = text;
     request.frames = request.timeEnd = NULL;
-    return read_request(arena, team, &request, &kept->limits, NULL, scene, error);
+    return read_request(run, &request, &kept->limits, NULL, scene);
 }
 
-enum zr_status zr_scene_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_kept *kept, uint32_t number,
-                              const struct zr_cancel *cancel, const struct zr_scene **scene, struct zr_error *error)
+enum zr_status zr_scene_frame(const struct zr_run *run, const struct zr_kept *kept, uint32_t number,
+                              const struct zr_scene **scene)
 {
     const struct zr_view_set *set = kept->scene->view_set;
-    const struct zr_request change = {.cancel = cancel};
+    const struct zr_request change = {.cancel = run->cancel};
     const double share = (double)number / (double)set->count;
     struct zr_request request;
     struct zr_keeping keeping;
-    if (set->kind == ZR_VIEW_SET_FILE)
-        return read_frame(arena, team, kept, set->start + set->seconds * share, cancel, scene, error);
-    enum zr_status status = zr_change_read(arena, kept, &change, &request, &keeping, error);
-    if (status == ZR_NO_MEMORY && error->count == 0)
-        zr_error_add(error, status, NULL, "a frame needs more than %zu bytes", arena->ceiling);
+    if (set->kind == ZR_VIEW_SET_FILE) return read_frame(run, kept, set->start + set->seconds * share, scene);
+    enum zr_status status = zr_change_read(run->arena, kept, &change, &request, &keeping, run->error);
+    if (status == ZR_NO_MEMORY && run->error->count == 0)
+        zr_error_add(run->error, status, NULL, "a frame needs more than %zu bytes", run->arena->ceiling);
     if (status != ZR_OK) return status;
     keeping.animation = set->animation;
     keeping.moment = (struct zr_moment){share, set->seconds * share};
-    return read_request(arena, team, &request, &kept->limits, &keeping, scene, error);
+    return read_request(run, &request, &kept->limits, &keeping, scene);
 }
 
 const struct zr_scene *zr_kept_scene(const struct zr_kept *kept)

@@ -1,5 +1,6 @@
 #include "sections/sectioned.h"
 
+#include "base/run.h"
 #include "sections/sectioned_attributes.h"
 
 /* ---- sides ---- */
@@ -275,16 +276,13 @@ static enum zr_status build(struct zr_sectioning *m, struct zr_sectioned *out)
     return zr_arena_ok(m->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-enum zr_status zr_sectioned_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                 const struct zr_mesh *mesh, const uint8_t *parts, const struct zr_section_cut *cut,
-                                 struct zr_sectioned *out)
+enum zr_status zr_sectioned_make(const struct zr_run *run, const struct zr_mesh *mesh, const uint8_t *parts,
+                                 const struct zr_section_cut *cut, struct zr_sectioned *out)
 {
-    struct zr_sectioning m = {.arena = arena, .cancel = cancel, .mesh = mesh, .cut = cut};
+    struct zr_sectioning m = {.arena = run->arena, .cancel = run->cancel, .mesh = mesh, .cut = cut};
     struct zr_slice_faces faces;
-    enum zr_status status =
-        zr_slices_begin(arena, team, cancel, mesh, parts, &m.slices, &faces, &m.lists[ZR_LIST_UNCUT]);
+    enum zr_status status = zr_slices_begin(run, mesh, parts, &m.slices, &faces, &m.lists[ZR_LIST_UNCUT]);
     if (status == ZR_OK) status = split(&m, faces);
-    if (status == ZR_OK)
-        status = zr_wires_cut(arena, cancel, mesh, cut->planes, cut->plane_count, cut->is_corner, &m.wires);
+    if (status == ZR_OK) status = zr_wires_cut(run, mesh, cut->planes, cut->plane_count, cut->is_corner, &m.wires);
     return status == ZR_OK ? build(&m, out) : status;
 }

@@ -9,6 +9,7 @@
 #ifndef ZR_SECTIONED_H
 #define ZR_SECTIONED_H
 
+#include "base/run.h"
 #include "sections/slices.h"
 
 struct zr_sectioned {
@@ -33,8 +34,7 @@ enum zr_section_side zr_section_side_of(const struct zr_section_cut *cut, const 
 
 /* Makes the sectioned mesh; `parts`: per part of the mesh, ZR_SLICE_OPEN and so on. All positions have w > 0. Results
  * lie in the arena. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_sectioned_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                 const struct zr_mesh *mesh, const uint8_t *parts, const struct zr_section_cut *cut,
-                                 struct zr_sectioned *out);
+enum zr_status zr_sectioned_make(const struct zr_run *run, const struct zr_mesh *mesh, const uint8_t *parts,
+                                 const struct zr_section_cut *cut, struct zr_sectioned *out);
 
 #endif

@@ -1,4 +1,5 @@
 #include "sections/sectioned_wires.h"
+#include "base/run.h"
 
 enum { WIRES_A_CANCEL_CHECK = 1 << 13, PIECES_MOST = 2 };
 
@@ -94,19 +95,19 @@ static bool cut_points(const struct cutting *c, const struct zr_cancel *cancel)
     return true;
 }
 
-enum zr_status zr_wires_cut(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_mesh *mesh,
-                            const struct zr_slice_plane *planes, uint32_t plane_count, bool is_corner,
-                            struct zr_wires *wires)
+enum zr_status zr_wires_cut(const struct zr_run *run, const struct zr_mesh *mesh, const struct zr_slice_plane *planes,
+                            uint32_t plane_count, bool is_corner, struct zr_wires *wires)
 {
     const struct cutting c = {mesh, planes, plane_count, is_corner, wires};
     const size_t lines = PIECES_MOST * (size_t)mesh->line_count;
-    *wires = (struct zr_wires){.lines = zr_arena_alloc(arena, 2 * lines, sizeof *wires->lines),
-                               .line_numbers = zr_arena_alloc(arena, lines, sizeof *wires->line_numbers),
-                               .points = zr_arena_alloc(arena, mesh->point_count, sizeof *wires->points),
-                               .point_numbers = zr_arena_alloc(arena, mesh->point_count, sizeof *wires->point_numbers),
-                               .ends = zr_arena_alloc(arena, lines, sizeof *wires->ends)};
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    return cut_lines(&c, cancel) && cut_points(&c, cancel) ? ZR_OK : ZR_CANCELLED;
+    *wires =
+        (struct zr_wires){.lines = zr_arena_alloc(run->arena, 2 * lines, sizeof *wires->lines),
+                          .line_numbers = zr_arena_alloc(run->arena, lines, sizeof *wires->line_numbers),
+                          .points = zr_arena_alloc(run->arena, mesh->point_count, sizeof *wires->points),
+                          .point_numbers = zr_arena_alloc(run->arena, mesh->point_count, sizeof *wires->point_numbers),
+                          .ends = zr_arena_alloc(run->arena, lines, sizeof *wires->ends)};
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
+    return cut_lines(&c, run->cancel) && cut_points(&c, run->cancel) ? ZR_OK : ZR_CANCELLED;
 }
 
 void zr_wires_put(const struct zr_wires *wires, const struct zr_mesh *mesh, uint32_t first_end, uint32_t *numbers,

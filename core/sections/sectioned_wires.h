@@ -4,6 +4,7 @@
 #ifndef ZR_SECTIONED_WIRES_H
 #define ZR_SECTIONED_WIRES_H
 
+#include "base/run.h"
 #include "sections/slices.h"
 
 struct zr_wires {
@@ -16,9 +17,8 @@ struct zr_wires {
 };
 
 /* Clips the lines and selects the points. Results lie in the arena. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_wires_cut(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_mesh *mesh,
-                            const struct zr_slice_plane *planes, uint32_t plane_count, bool is_corner,
-                            struct zr_wires *wires);
+enum zr_status zr_wires_cut(const struct zr_run *run, const struct zr_mesh *mesh, const struct zr_slice_plane *planes,
+                            uint32_t plane_count, bool is_corner, struct zr_wires *wires);
 
 /* Gives lines and points to the mesh `out`, whose made ends begin at position `first_end`. Writes the numbers of lines
  * and points among faces, lines and points of `mesh`. */

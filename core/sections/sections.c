@@ -3,17 +3,16 @@
 #include <inttypes.h>
 #include <stdio.h>
 
+#include "base/run.h"
 #include "mesh/closed_parts.h"
-#include "sections/hatch.h"
 #include "scene/parts/part_list.h"
+#include "sections/hatch.h"
 
 enum { FACES_A_CANCEL_CHECK = 1 << 13, POSITIONS_A_CANCEL_CHECK = 1 << 17 };
 
 struct cutting {
-    struct zr_arena *arena;
-    struct zr_team *team;
+    const struct zr_run *run;
     const struct zr_scene *scene;
-    const struct zr_cancel *cancel;
     const struct zr_section_planes *planes;
     double diagonal, pitch;
     const uint8_t **closed;      /* per mesh; NULL: not found yet */
@@ -37,7 +36,7 @@ struct cutting {
 static bool make_names(struct cutting *c)
 {
     const struct zr_scene *scene = c->scene;
-    uint64_t *first = zr_arena_alloc(c->arena, scene->instance_count, sizeof *first), part = 0;
+    uint64_t *first = zr_arena_alloc(c->run->arena, scene->instance_count, sizeof *first), part = 0;
     if (!first) return false;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         first[i] = part;
@@ -51,12 +50,12 @@ static enum zr_status find_uncut(struct cutting *c, struct zr_error *error)
 {
     const struct zr_sections *sections = &c->scene->sections;
     if (sections->uncut_count == 0) return ZR_OK;
-    c->names = zr_part_list_make(c->arena, c->scene, UINT32_MAX / 4);
-    uint8_t *is_uncut = zr_arena_zero(c->arena, c->names.count, sizeof *is_uncut);
-    if (!zr_arena_ok(c->arena)) return ZR_NO_MEMORY;
+    c->names = zr_part_list_make(c->run->arena, c->scene, UINT32_MAX / 4);
+    uint8_t *is_uncut = zr_arena_zero(c->run->arena, c->names.count, sizeof *is_uncut);
+    if (!zr_arena_ok(c->run->arena)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < sections->uncut_count; i++) {
         uint32_t part = 0;
-        if (zr_is_cancelled(c->cancel)) return ZR_CANCELLED;
+        if (zr_is_cancelled(c->run->cancel)) return ZR_CANCELLED;
         while (part < c->names.count && strcmp(c->names.at[part].name, sections->uncut[i]) != 0)
             part++;
         if (part == c->names.count) {
@@ -107,23 +106,23 @@ static enum zr_status find_closed(struct cutting *c, uint32_t mesh)
 {
     if (c->closed[mesh]) return ZR_OK;
     const uint32_t parts = zr_mesh_part_count(&c->scene->meshes[mesh]);
-    uint8_t *closed = zr_arena_alloc(c->arena, parts, sizeof *closed);
+    uint8_t *closed = zr_arena_alloc(c->run->arena, parts, sizeof *closed);
     if (!closed) return ZR_NO_MEMORY;
-    if (!zr_closed_parts_find(c->arena, c->team, c->cancel, &c->scene->meshes[mesh], closed, NULL)) return ZR_NO_MEMORY;
+    if (!zr_closed_parts_find(c->run, &c->scene->meshes[mesh], closed, NULL)) return ZR_NO_MEMORY;
     c->closed[mesh] = closed;
-    return zr_is_cancelled(c->cancel) ? ZR_CANCELLED : ZR_OK;
+    return zr_is_cancelled(c->run->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
 /* Marks the parts that lie on both sides of a plane. */
 static uint8_t *find_crossed(struct cutting *c, const struct zr_section_cut *cut, const struct zr_mesh *mesh)
 {
     const uint32_t count = zr_mesh_part_count(mesh);
-    uint8_t(*sides)[ZR_SECTION_PLANES_MAX] = zr_arena_zero(c->arena, count, sizeof *sides);
-    uint8_t *crossed = zr_arena_zero(c->arena, count, sizeof *crossed);
+    uint8_t(*sides)[ZR_SECTION_PLANES_MAX] = zr_arena_zero(c->run->arena, count, sizeof *sides);
+    uint8_t *crossed = zr_arena_zero(c->run->arena, count, sizeof *crossed);
     if (!sides || !crossed) return NULL;
     for (uint32_t face = 0; face < mesh->face_count; face++) {
         const uint32_t part = mesh->face_parts ? mesh->face_parts[face] : 0;
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(c->cancel)) return crossed;
+        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(c->run->cancel)) return crossed;
         for (uint32_t i = mesh->face_offsets[face]; i < mesh->face_offsets[face + 1] && !crossed[part]; i++)
             for (uint32_t k = 0; k < cut->plane_count; k++) {
                 sides[part][k] |= zr_slice_distance(&cut->planes[k], mesh->positions[mesh->indices[i]]) > 0.0 ? 1 : 2;
@@ -140,7 +139,7 @@ static const uint8_t *treat_parts(struct cutting *c, uint32_t instance, const st
     const struct zr_mesh *mesh = &c->scene->meshes[number];
     const uint32_t count = zr_mesh_part_count(mesh);
     const uint8_t *closed = c->closed[number], *crossed = find_crossed(c, cut, mesh);
-    uint8_t *parts = zr_arena_alloc(c->arena, count, sizeof *parts);
+    uint8_t *parts = zr_arena_alloc(c->run->arena, count, sizeof *parts);
     for (uint32_t part = 0; parts && crossed && part < count; part++) {
         const uint64_t listed = c->first_parts[instance] + part;
         parts[part] = closed[part] ? ZR_SLICE_CLOSED : ZR_SLICE_OPEN;
@@ -165,9 +164,9 @@ static bool reserve_caps(struct cutting *c, uint32_t more)
     const uint64_t wanted = 2 * ((uint64_t)c->cap_count + more),
                    old = c->scene->material_count + (uint64_t)c->cap_count;
     if (wanted > UINT32_MAX / 2) return false;
-    void *caps = zr_arena_grow(c->arena, c->caps, c->cap_count, wanted, sizeof *c->caps);
+    void *caps = zr_arena_grow(c->run->arena, c->caps, c->cap_count, wanted, sizeof *c->caps);
     void *materials =
-        zr_arena_grow(c->arena, c->materials, old, c->scene->material_count + wanted, sizeof *c->materials);
+        zr_arena_grow(c->run->arena, c->materials, old, c->scene->material_count + wanted, sizeof *c->materials);
     if (!caps || !materials) return false;
     c->caps = caps;
     c->materials = materials;
@@ -192,10 +191,10 @@ static bool dress_caps(struct cutting *c, uint32_t instance, struct zr_sectioned
 {
     struct zr_mesh *mesh = &made->mesh;
     const uint32_t caps = mesh->cap_count, first = mesh->face_count - caps;
-    uint32_t *materials = zr_arena_alloc(c->arena, mesh->face_count, sizeof *materials);
+    uint32_t *materials = zr_arena_alloc(c->run->arena, mesh->face_count, sizeof *materials);
     zr_vec4 *texcoords = NULL;
     if (c->scene->sections.has_hatch && caps > 0) {
-        texcoords = zr_arena_zero(c->arena, mesh->position_count, sizeof *texcoords);
+        texcoords = zr_arena_zero(c->run->arena, mesh->position_count, sizeof *texcoords);
         if (!texcoords) return false;
         if (mesh->texcoords) memcpy(texcoords, mesh->texcoords, mesh->position_count * sizeof *texcoords);
     }
@@ -244,11 +243,11 @@ static enum zr_status cut_instance(struct cutting *c, uint32_t instance, struct 
     const struct zr_instance *from = &c->scene->instances[instance];
     const struct zr_mesh *mesh = &c->scene->meshes[from->mesh];
     const struct zr_section_cut cut = cut_of(c, &from->object_to_world);
-    const enum zr_section_side side = zr_section_side_of(&cut, mesh, c->cancel);
+    const enum zr_section_side side = zr_section_side_of(&cut, mesh, c->run->cancel);
     struct zr_sectioned made;
-    if (zr_is_cancelled(c->cancel)) return ZR_CANCELLED;
+    if (zr_is_cancelled(c->run->cancel)) return ZR_CANCELLED;
     if (side == ZR_SECTION_WHOLE) return ZR_OK;
-    if (!is_placed(mesh, c->cancel))
+    if (!is_placed(mesh, c->run->cancel))
         return zr_error_add(error, ZR_BAD_SCENE, "/sections",
                             "a plane meets the mesh \"%.100s\", which has positions with w <= 0: these cannot be cut",
                             mesh->name);
@@ -263,7 +262,7 @@ static enum zr_status cut_instance(struct cutting *c, uint32_t instance, struct 
         c->numbers[instance] = no_offsets;
         return ZR_OK;
     }
-    status = zr_sectioned_make(c->arena, c->team, c->cancel, mesh, parts, &cut, &made);
+    status = zr_sectioned_make(c->run, mesh, parts, &cut, &made);
     if (status != ZR_OK) return status;
     if (!dress_caps(c, instance, &made)) return ZR_NO_MEMORY;
     *out = made.mesh;
@@ -281,15 +280,15 @@ static bool make_ids(struct cutting *c, struct zr_sections_cut *out)
         count += zr_mesh_ids(&c->meshes[c->instances[i].mesh]);
         whole += zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
     }
-    uint32_t *ids = zr_arena_alloc(c->arena, count, sizeof *ids), id = 0, first = 0, cap = (uint32_t)whole;
+    uint32_t *ids = zr_arena_alloc(c->run->arena, count, sizeof *ids), id = 0, first = 0, cap = (uint32_t)whole;
     if (!ids || count + whole > UINT32_MAX / 2) return false;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &c->meshes[c->instances[i].mesh];
         const uint32_t old = (uint32_t)zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
         const uint32_t own = (uint32_t)zr_mesh_ids(mesh);
-        if (zr_is_cancelled(c->cancel)) return true;
+        if (zr_is_cancelled(c->run->cancel)) return true;
         for (uint32_t k = 0; k < own; k++) {
-            if (k % POSITIONS_A_CANCEL_CHECK == 0 && zr_is_cancelled(c->cancel)) return true;
+            if (k % POSITIONS_A_CANCEL_CHECK == 0 && zr_is_cancelled(c->run->cancel)) return true;
             const uint32_t number = c->numbers[i] ? c->numbers[i][k] : k;
             ids[id++] = number < old ? first + number : cap++;
         }
@@ -308,8 +307,8 @@ enum { WARNING_SIZE = 240 };
 static const char *make_warning(struct cutting *c)
 {
     if (c->open_count == 0) return NULL;
-    char *text = zr_arena_alloc(c->arena, WARNING_SIZE, 1);
-    if (c->names.count == 0) c->names = zr_part_list_make(c->arena, c->scene, UINT32_MAX / 4);
+    char *text = zr_arena_alloc(c->run->arena, WARNING_SIZE, 1);
+    if (c->names.count == 0) c->names = zr_part_list_make(c->run->arena, c->scene, UINT32_MAX / 4);
     if (!text || c->first_open >= c->names.count) return NULL;
     if (c->open_count == 1)
         snprintf(text, WARNING_SIZE, "the part %.100s is cut, but has no cap, since it is not closed",
@@ -327,14 +326,14 @@ static bool make_rooms(struct cutting *c)
 {
     const struct zr_scene *scene = c->scene;
     const size_t meshes = (size_t)scene->mesh_count + scene->instance_count;
-    c->owners = scene->mesh_owners ? zr_arena_alloc(c->arena, meshes, sizeof *c->owners) : NULL;
-    c->out = zr_arena_alloc(c->arena, 1, sizeof *c->out);
-    c->meshes = zr_arena_alloc(c->arena, meshes, sizeof *c->meshes);
-    c->instances = zr_arena_copy(c->arena, scene->instances, scene->instance_count * sizeof *c->instances);
-    c->materials = zr_arena_copy(c->arena, scene->materials, scene->material_count * sizeof *c->materials);
-    c->numbers = zr_arena_zero(c->arena, scene->instance_count, sizeof *c->numbers);
-    c->closed = zr_arena_zero(c->arena, scene->mesh_count, sizeof *c->closed);
-    if (!zr_arena_ok(c->arena) || !make_names(c)) return false;
+    c->owners = scene->mesh_owners ? zr_arena_alloc(c->run->arena, meshes, sizeof *c->owners) : NULL;
+    c->out = zr_arena_alloc(c->run->arena, 1, sizeof *c->out);
+    c->meshes = zr_arena_alloc(c->run->arena, meshes, sizeof *c->meshes);
+    c->instances = zr_arena_copy(c->run->arena, scene->instances, scene->instance_count * sizeof *c->instances);
+    c->materials = zr_arena_copy(c->run->arena, scene->materials, scene->material_count * sizeof *c->materials);
+    c->numbers = zr_arena_zero(c->run->arena, scene->instance_count, sizeof *c->numbers);
+    c->closed = zr_arena_zero(c->run->arena, scene->mesh_count, sizeof *c->closed);
+    if (!zr_arena_ok(c->run->arena) || !make_names(c)) return false;
     memcpy(c->meshes, scene->meshes, scene->mesh_count * sizeof *c->meshes);
     *c->out = *scene;
     if (!c->owners) return true;
@@ -353,33 +352,27 @@ static enum zr_status cut_scene(struct cutting *c, struct zr_error *error)
     c->out->instances = c->instances;
     c->out->materials = c->materials;
     c->out->material_count += c->cap_count;
-    if (status == ZR_OK && c->scene->sections.has_hatch && !zr_hatch_add(c->arena, c->out)) status = ZR_NO_MEMORY;
+    if (status == ZR_OK && c->scene->sections.has_hatch && !zr_hatch_add(c->run->arena, c->out)) status = ZR_NO_MEMORY;
     return status;
 }
 
-enum zr_status zr_sections_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+enum zr_status zr_sections_make(const struct zr_run *run, const struct zr_scene *scene,
                                 const struct zr_section_planes *planes, double diagonal, double pitch,
-                                const struct zr_cancel *cancel, const struct zr_sections_cut **out,
-                                struct zr_error *error)
+                                const struct zr_sections_cut **out)
 {
-    struct cutting c = {.arena = arena,
-                        .team = team,
-                        .scene = scene,
-                        .cancel = cancel,
-                        .planes = planes,
-                        .diagonal = diagonal,
-                        .pitch = pitch};
-    struct zr_sections_cut *made = zr_arena_zero(arena, 1, sizeof *made);
+    struct cutting c = {.run = run, .scene = scene, .planes = planes, .diagonal = diagonal, .pitch = pitch};
+    struct zr_sections_cut *made = zr_arena_zero(run->arena, 1, sizeof *made);
     if (!made) return ZR_NO_MEMORY;
-    const enum zr_status status = cut_scene(&c, error);
+    const enum zr_status status = cut_scene(&c, run->error);
     if (status != ZR_OK) return status;
     if (!make_ids(&c, made)) return ZR_NO_MEMORY;
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     made->scene = c.out;
     made->cap_count = c.cap_count;
     made->caps = c.caps;
     made->warning = make_warning(&c);
     *out = made;
-    if (scene->is_strict && made->warning) return zr_error_add(error, ZR_BAD_SCENE, "/sections", "%s", made->warning);
-    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+    if (scene->is_strict && made->warning)
+        return zr_error_add(run->error, ZR_BAD_SCENE, "/sections", "%s", made->warning);
+    return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }

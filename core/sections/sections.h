@@ -11,8 +11,9 @@
 #ifndef ZR_SECTIONS_H
 #define ZR_SECTIONS_H
 
-#include "sections/sectioned.h"
+#include "base/run.h"
 #include "sections/section_planes.h"
+#include "sections/sectioned.h"
 
 struct zr_section_cap {
     uint32_t instance;
@@ -34,9 +35,8 @@ struct zr_sections_cut {
 /* Cuts the scene. `pitch`: distance of the lines of the hatch, world units. Results lie in the arena. Fails with
  * ZR_BAD_SCENE for positions with w <= 0, for unknown names of uncut parts, and, if the scene is strict, for parts that
  * are not closed; with ZR_NO_MEMORY and ZR_CANCELLED. */
-enum zr_status zr_sections_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+enum zr_status zr_sections_make(const struct zr_run *run, const struct zr_scene *scene,
                                 const struct zr_section_planes *planes, double diagonal, double pitch,
-                                const struct zr_cancel *cancel, const struct zr_sections_cut **out,
-                                struct zr_error *error);
+                                const struct zr_sections_cut **out);
 
 #endif

@@ -1,5 +1,6 @@
 #include "sections/slices.h"
 
+#include "base/run.h"
 #include "mesh/closed_parts.h"
 #include "mesh/weld.h"
 
@@ -122,29 +123,28 @@ static void list_points(const struct zr_mesh *mesh, const struct zr_cancel *canc
     }
 }
 
-enum zr_status zr_slices_begin(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                               const struct zr_mesh *mesh, const uint8_t *parts, struct zr_slices *slices,
-                               struct zr_slice_faces *faces, struct zr_slice_faces *uncut)
+enum zr_status zr_slices_begin(const struct zr_run *run, const struct zr_mesh *mesh, const uint8_t *parts,
+                               struct zr_slices *slices, struct zr_slice_faces *faces, struct zr_slice_faces *uncut)
 {
-    const struct zr_mesh_extent extent = zr_mesh_extent_of(team, mesh);
-    uint32_t *vertices = zr_arena_alloc(arena, mesh->position_count, sizeof *vertices);
-    zr_vec3 *points = zr_arena_alloc(arena, mesh->position_count, sizeof *points);
-    uint64_t *room = zr_arena_alloc(arena, zr_weld_room(mesh->position_count), sizeof *room);
-    zr_vec4 *copy = zr_arena_alloc(arena, extent.needs_copy ? mesh->position_count : 0, sizeof *copy);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    const struct zr_weld_input input = zr_weld_input_make(team, mesh, &extent, copy);
+    const struct zr_mesh_extent extent = zr_mesh_extent_of(run->team, mesh);
+    uint32_t *vertices = zr_arena_alloc(run->arena, mesh->position_count, sizeof *vertices);
+    zr_vec3 *points = zr_arena_alloc(run->arena, mesh->position_count, sizeof *points);
+    uint64_t *room = zr_arena_alloc(run->arena, zr_weld_room(mesh->position_count), sizeof *room);
+    zr_vec4 *copy = zr_arena_alloc(run->arena, extent.needs_copy ? mesh->position_count : 0, sizeof *copy);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
+    const struct zr_weld_input input = zr_weld_input_make(run->team, mesh, &extent, copy);
     *slices = (struct zr_slices){.mesh = mesh,
-                                 .cancel = cancel,
+                                 .cancel = run->cancel,
                                  .parts = parts,
                                  .slot_count = mesh->face_offsets[mesh->face_count],
                                  .vertices = vertices,
                                  .points = points};
     slices->corner_count = slices->slot_count;
-    slices->vertex_count = zr_weld_make(team, cancel, &input, room, vertices);
-    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    list_points(mesh, cancel, vertices, points);
-    const enum zr_status status = list_faces(arena, slices, true, uncut);
-    return status == ZR_OK ? list_faces(arena, slices, false, faces) : status;
+    slices->vertex_count = zr_weld_make(run->team, run->cancel, &input, room, vertices);
+    if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
+    list_points(mesh, run->cancel, vertices, points);
+    const enum zr_status status = list_faces(run->arena, slices, true, uncut);
+    return status == ZR_OK ? list_faces(run->arena, slices, false, faces) : status;
 }
 
 /* ---- sides ---- */

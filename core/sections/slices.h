@@ -17,6 +17,7 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "scene/scene.h"
@@ -102,9 +103,8 @@ static inline uint32_t zr_slice_vertex(const struct zr_slices *slices, uint32_t 
 /* Welds the mesh and lists the faces that are cut and, apart, those of uncut parts. A ring behind the first one is
  * turned against it. Everything lies in the arena. The positions of the mesh have w > 0. Fails with ZR_NO_MEMORY or
  * ZR_CANCELLED. */
-enum zr_status zr_slices_begin(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                               const struct zr_mesh *mesh, const uint8_t *parts, struct zr_slices *slices,
-                               struct zr_slice_faces *faces, struct zr_slice_faces *uncut);
+enum zr_status zr_slices_begin(const struct zr_run *run, const struct zr_mesh *mesh, const uint8_t *parts,
+                               struct zr_slices *slices, struct zr_slice_faces *faces, struct zr_slice_faces *uncut);
 
 /* Which side of a plane stays. */
 enum zr_slice_mode {

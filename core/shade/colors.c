@@ -2,6 +2,7 @@
 
 #include "base/fast.h"
 #include "base/rgba.h"
+#include "base/run.h"
 #include "geometry/face.h"
 #include "mesh/face_normals.h"
 #include "mesh/vertex_normals.h"
@@ -284,17 +285,16 @@ bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh 
     return zr_colors_rate(scene, mesh) == ZR_RATE_FACE;
 }
 
-static struct coloring coloring_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene *scene,
-                                     const struct zr_mesh *mesh, const struct zr_lights *lighting,
-                                     const zr_mat4 *object_to_eye)
+static struct coloring coloring_make(const struct zr_run *run, const struct zr_scene *scene, const struct zr_mesh *mesh,
+                                     const struct zr_lights *lighting, const zr_mat4 *object_to_eye)
 {
     return (struct coloring){.scene = scene,
                              .mesh = mesh,
                              .lighting = lighting,
                              .to_eye = zr_normal_matrix_make(object_to_eye),
                              .object_to_eye = object_to_eye,
-                             .isa = zr_team_isa(team),
-                             .cancel = cancel};
+                             .isa = zr_team_isa(run->team),
+                             .cancel = run->cancel};
 }
 
 static void make_of_faces(struct zr_team *team, struct coloring *coloring)
@@ -303,42 +303,40 @@ static void make_of_faces(struct zr_team *team, struct coloring *coloring)
                    ZR_FAST(alike_points, are_alike_triangles(coloring)) ? color_alike : color_faces, coloring);
 }
 
-struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
-                                       const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                       const struct zr_lights *lighting, const zr_mat4 *object_to_eye,
-                                       bool two_sided_colors, uint32_t *out)
+struct zr_colors zr_colors_make_packed(const struct zr_run *run, const struct zr_scene *scene,
+                                       const struct zr_mesh *mesh, const struct zr_lights *lighting,
+                                       const zr_mat4 *object_to_eye, bool two_sided_colors, uint32_t *out)
 {
-    struct coloring coloring = coloring_make(team, cancel, scene, mesh, lighting, object_to_eye);
+    struct coloring coloring = coloring_make(run, scene, mesh, lighting, object_to_eye);
     coloring.count = mesh->face_count;
     coloring.two_sided_colors = two_sided_colors;
     coloring.packed = out;
-    make_of_faces(team, &coloring);
+    make_of_faces(run->team, &coloring);
     return (struct zr_colors){
         .rate = ZR_RATE_FACE, .two_sided_colors = two_sided_colors, .packed = out, .count = coloring.count};
 }
 
-struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                const struct zr_scene *scene, const struct zr_mesh *mesh,
+struct zr_colors zr_colors_make(const struct zr_run *run, const struct zr_scene *scene, const struct zr_mesh *mesh,
                                 const struct zr_lights *lighting, const zr_mat4 *object_to_eye, const zr_vec4 **normals,
                                 zr_vec4 *front, zr_vec4 *back)
 {
     enum zr_rate rate = zr_colors_rate(scene, mesh);
     struct zr_colors colors = {
         .rate = rate, .two_sided_colors = front != back, .front = front, .back = back, .count = count_at(mesh, rate)};
-    struct coloring coloring = coloring_make(team, cancel, scene, mesh, lighting, object_to_eye);
+    struct coloring coloring = coloring_make(run, scene, mesh, lighting, object_to_eye);
     coloring.front = front;
     coloring.back = back;
     coloring.per_corner = rate == ZR_RATE_CORNER;
     coloring.per_vertex = rate == ZR_RATE_VERTEX;
     if (rate != ZR_RATE_FACE && !lighting->is_per_pixel && zr_mesh_is_lit_by_computed_normals(scene, mesh)) {
-        if (!*normals) *normals = zr_vertex_normals_make(arena, team, cancel, mesh);
+        if (!*normals) *normals = zr_vertex_normals_make(run, mesh);
         coloring.computed = *normals;
     }
-    if (!zr_arena_ok(arena)) return colors;
+    if (!zr_arena_ok(run->arena)) return colors;
     if (rate == ZR_RATE_VERTEX)
-        zr_team_ranges(team, mesh->position_count, points_a_range(&coloring),
+        zr_team_ranges(run->team, mesh->position_count, points_a_range(&coloring),
                        ZR_FAST(alike_points, are_alike_vertices(&coloring)) ? color_alike : color_vertices, &coloring);
     else
-        make_of_faces(team, &coloring);
+        make_of_faces(run->team, &coloring);
     return colors;
 }

@@ -5,6 +5,7 @@
 #ifndef ZR_COLORS_H
 #define ZR_COLORS_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "shade/attribute.h"
@@ -48,16 +49,14 @@ bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh 
 
 /* Writes packed colours of such a mesh to out[], which has room for one per face, or two if `two_sided_colors`. Returns
  * early if cancelled. */
-struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
-                                       const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                       const struct zr_lights *lighting, const zr_mat4 *object_to_eye,
-                                       bool two_sided_colors, uint32_t *out);
+struct zr_colors zr_colors_make_packed(const struct zr_run *run, const struct zr_scene *scene,
+                                       const struct zr_mesh *mesh, const struct zr_lights *lighting,
+                                       const zr_mat4 *object_to_eye, bool two_sided_colors, uint32_t *out);
 
 /* Writes colours to front[] and back[], which the caller allocates. *normals: the mesh's vertex normals
  * (vertex_normals.h), or NULL. If NULL and needed, they are made and returned for other instances of the mesh. Fails
  * only with the arena. Returns early if cancelled. */
-struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                const struct zr_scene *scene, const struct zr_mesh *mesh,
+struct zr_colors zr_colors_make(const struct zr_run *run, const struct zr_scene *scene, const struct zr_mesh *mesh,
                                 const struct zr_lights *lighting, const zr_mat4 *object_to_eye, const zr_vec4 **normals,
                                 zr_vec4 *front, zr_vec4 *back);
 

@@ -4,15 +4,14 @@
 #include <string.h>
 
 #include "base/fast.h"
+#include "base/run.h"
 #include "mesh/mesh_tables.h"
 #include "scene/camera/camera.h"
 #include "shade/colors.h"
 #include "shade/eye_normals.h"
 
 struct making {
-    struct zr_arena *arena;
-    struct zr_team *team;
-    const struct zr_cancel *cancel;
+    const struct zr_run *run;
     const struct zr_scene *scene;
     const struct zr_geometry *geometry;
     struct zr_scene_attributes *out;
@@ -84,7 +83,7 @@ static bool copy_given(struct making *m)
 {
     struct zr_colors *colors = &m->mesh_colors;
     if (zr_rate_is_flat(colors->rate) || m->made == 0) return true;
-    zr_vec4 *copy = zr_arena_alloc(m->arena, count_with_made(m, colors->rate, colors->count), sizeof *copy);
+    zr_vec4 *copy = zr_arena_alloc(m->run->arena, count_with_made(m, colors->rate, colors->count), sizeof *copy);
     if (!copy) return false;
     memcpy(copy, colors->front, colors->count * sizeof *copy);
     extend(m, colors->rate, colors->count, copy);
@@ -95,10 +94,10 @@ static bool copy_given(struct making *m)
 static bool make_packed(struct making *m)
 {
     const size_t count = (size_t)m->mesh->face_count << m->backs;
-    uint32_t *packed = zr_arena_alloc(m->arena, count, sizeof *packed);
+    uint32_t *packed = zr_arena_alloc(m->run->arena, count, sizeof *packed);
     if (!packed) return false;
-    m->mesh_colors = zr_colors_make_packed(m->team, m->cancel, m->scene, m->mesh, &m->out->lighting,
-                                           &m->instance->to_eye, m->backs, packed);
+    m->mesh_colors =
+        zr_colors_make_packed(m->run, m->scene, m->mesh, &m->out->lighting, &m->instance->to_eye, m->backs, packed);
     return true;
 }
 
@@ -107,12 +106,12 @@ static bool make_floats(struct making *m)
     const enum zr_rate rate = zr_colors_rate(m->scene, m->mesh);
     const uint32_t own = zr_colors_count(m->scene, m->mesh);
     const size_t count = count_with_made(m, rate, own);
-    zr_vec4 *front = zr_arena_alloc(m->arena, count, sizeof *front);
-    zr_vec4 *back = m->backs ? zr_arena_alloc(m->arena, count, sizeof *back) : front;
-    if (!zr_arena_ok(m->arena)) return false;
-    m->mesh_colors = zr_colors_make(m->arena, m->team, m->cancel, m->scene, m->mesh, &m->out->lighting,
-                                    &m->instance->to_eye, &m->vertex_normals[m->mesh - m->scene->meshes], front, back);
-    if (!zr_arena_ok(m->arena)) return false;
+    zr_vec4 *front = zr_arena_alloc(m->run->arena, count, sizeof *front);
+    zr_vec4 *back = m->backs ? zr_arena_alloc(m->run->arena, count, sizeof *back) : front;
+    if (!zr_arena_ok(m->run->arena)) return false;
+    m->mesh_colors = zr_colors_make(m->run, m->scene, m->mesh, &m->out->lighting, &m->instance->to_eye,
+                                    &m->vertex_normals[m->mesh - m->scene->meshes], front, back);
+    if (!zr_arena_ok(m->run->arena)) return false;
     extend(m, rate, own, front);
     if (back != front) extend(m, rate, own, back);
     return true;
@@ -137,7 +136,7 @@ static bool find_line_colors(struct making *m)
     const zr_vec4 base = m->scene->materials[mesh->material].base_color;
     if (m->line_colors) return true;
     zr_vec4 *colors =
-        zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, mesh->position_count), sizeof *colors);
+        zr_arena_alloc(m->run->arena, count_with_made(m, ZR_RATE_VERTEX, mesh->position_count), sizeof *colors);
     if (!colors) return false;
     for (uint32_t i = 0; i < mesh->position_count; i++)
         colors[i] = zr_vec4_mul(base, mesh->colors[i]);
@@ -199,9 +198,9 @@ static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr
     const zr_vec4 **normals = &m->normals[rate];
     if (!*normals) {
         const uint32_t own = zr_eye_normals_count(m->mesh, rate);
-        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, rate, own), sizeof *made);
-        if (!made || !zr_eye_normals_make(m->arena, m->team, m->cancel, m->mesh, &m->instance->to_eye, rate, crease,
-                                          &m->vertex_normals[number], made))
+        zr_vec4 *made = zr_arena_alloc(m->run->arena, count_with_made(m, rate, own), sizeof *made);
+        if (!made ||
+            !zr_eye_normals_make(m->run, m->mesh, &m->instance->to_eye, rate, crease, &m->vertex_normals[number], made))
             return false;
         extend(m, rate, own, made);
         *normals = made;
@@ -225,13 +224,13 @@ static bool make_points(struct making *m)
 {
     const struct zr_geometry *g = m->geometry;
     const zr_vec4 eye = m->out->eye;
-    zr_vec4 *points = zr_arena_alloc(m->arena, g->vertex_count, sizeof *points);
+    zr_vec4 *points = zr_arena_alloc(m->run->arena, g->vertex_count, sizeof *points);
     if (!points) return false;
     m->points = points; /* even if cancelled half-way */
     for (uint32_t number = 0; number < m->scene->instance_count; number++) {
         begin_instance(m, number);
         zr_vec4 *of_instance = points + m->instance->first_vertex;
-        if (zr_is_cancelled(m->cancel)) break;
+        if (zr_is_cancelled(m->run->cancel)) break;
         for (uint32_t i = 0; i < m->mesh->position_count; i++) {
             const zr_vec4 p = zr_mat4_apply(&m->instance->to_eye, m->mesh->positions[i]);
             of_instance[i] = p;
@@ -274,7 +273,7 @@ static bool find_texcoords(struct making *m, const struct zr_draw *draw, struct 
     const uint32_t own = m->mesh->position_count, base = draw->material->textures[ZR_TEXTURE_BASE_COLOR];
     const struct zr_texture *texture = m->wants->samples ? NULL : &m->scene->textures[base - 1];
     if (!m->texcoords || m->texcoords_of != texture) {
-        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
+        zr_vec4 *made = zr_arena_alloc(m->run->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
         if (!made) return false;
         put_texcoords(m->mesh, texture, made);
         extend(m, ZR_RATE_VERTEX, own, made);
@@ -301,7 +300,7 @@ static bool find_tangents(struct making *m, struct zr_attribute *out)
     const uint32_t own = m->mesh->position_count;
     if (!m->mesh->tangents) return true;
     if (!m->tangents) {
-        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
+        zr_vec4 *made = zr_arena_alloc(m->run->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
         if (!made) return false;
         put_tangents(m->mesh, &m->instance->to_eye, made);
         extend(m, ZR_RATE_VERTEX, own, made);
@@ -359,36 +358,34 @@ static struct zr_attribute_wants with_masks(const struct zr_scene *scene, const 
     return out;
 }
 
-enum zr_status zr_scene_attributes_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+enum zr_status zr_scene_attributes_make(const struct zr_run *run, const struct zr_scene *scene,
                                         const struct zr_camera *camera, const struct zr_geometry *geometry,
-                                        const struct zr_attribute_wants *wants, const struct zr_cancel *cancel,
-                                        struct zr_scene_attributes *attributes)
+                                        const struct zr_attribute_wants *wants, struct zr_scene_attributes *attributes)
 {
-    struct making m = {.arena = arena,
-                       .team = team,
-                       .cancel = cancel,
+    struct making m = {.run = run,
                        .scene = scene,
                        .geometry = geometry,
                        .out = attributes,
-                       .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals)};
+                       .vertex_normals = zr_arena_zero(run->arena, scene->mesh_count, sizeof *m.vertex_normals)};
     const struct zr_attribute_wants all = with_masks(scene, wants, &m.any_see_through);
     for (uint32_t i = 0; m.vertex_normals && scene->tables && i < scene->mesh_count; i++)
         m.vertex_normals[i] = zr_mesh_table_normals(scene->tables, scene, i);
     m.wants = &all;
     m.colors = all.colors || all.samples;
     *attributes = (struct zr_scene_attributes){.eye = zr_camera_eye(camera)};
-    attributes->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *attributes->of_draw);
+    attributes->of_draw = zr_arena_zero(run->arena, (size_t)geometry->draw_count + 1, sizeof *attributes->of_draw);
     if (wants->samples)
         attributes->lighting.is_per_pixel = true;
     else
-        attributes->lighting = zr_lights_make(arena, scene, camera);
+        attributes->lighting = zr_lights_make(run->arena, scene, camera);
     look_at_scene(&m);
-    if (!zr_arena_ok(arena) || ((attributes->any_per_pixel || wants->samples) && !make_points(&m))) return ZR_NO_MEMORY;
+    if (!zr_arena_ok(run->arena) || ((attributes->any_per_pixel || wants->samples) && !make_points(&m)))
+        return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < geometry->draw_count; i++) {
         const struct zr_draw *draw = &geometry->draws[i];
         if (m.instance != &geometry->instances[draw->instance]) begin_instance(&m, draw->instance);
         if (!make_of_draw(&m, draw, &attributes->of_draw[i])) return ZR_NO_MEMORY;
-        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     }
-    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+    return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }

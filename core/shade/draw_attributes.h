@@ -6,6 +6,7 @@
 #ifndef ZR_DRAW_ATTRIBUTES_H
 #define ZR_DRAW_ATTRIBUTES_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "geometry/geometry.h"
 #include "shade/attribute.h"
@@ -63,10 +64,9 @@ struct zr_scene_attributes {
 
 /* Makes the attributes with the team's threads and instruction set. *attributes points into the arena, to the scene and
  * to the geometry. Returns ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
-enum zr_status zr_scene_attributes_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+enum zr_status zr_scene_attributes_make(const struct zr_run *run, const struct zr_scene *scene,
                                         const struct zr_camera *camera, const struct zr_geometry *geometry,
-                                        const struct zr_attribute_wants *wants, const struct zr_cancel *cancel,
-                                        struct zr_scene_attributes *attributes);
+                                        const struct zr_attribute_wants *wants, struct zr_scene_attributes *attributes);
 
 static inline bool zr_draw_is_smooth(const struct zr_draw_attributes *of_draw)
 {

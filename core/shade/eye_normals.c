@@ -1,5 +1,6 @@
 #include "shade/eye_normals.h"
 
+#include "base/run.h"
 #include "mesh/face_normals.h"
 #include "mesh/vertex_normals.h"
 #include "shade/lights/light.h"
@@ -53,22 +54,21 @@ uint32_t zr_eye_normals_count(const struct zr_mesh *mesh, enum zr_rate rate)
     return rate == ZR_RATE_VERTEX ? mesh->position_count : mesh->face_offsets[mesh->face_count];
 }
 
-bool zr_eye_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                         const struct zr_mesh *mesh, const zr_mat4 *object_to_eye, enum zr_rate rate,
-                         const zr_vec4 *crease_normals, const zr_vec4 **vertex_normals, zr_vec4 *out)
+bool zr_eye_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, const zr_mat4 *object_to_eye,
+                         enum zr_rate rate, const zr_vec4 *crease_normals, const zr_vec4 **vertex_normals, zr_vec4 *out)
 {
     struct making making = {.mesh = mesh,
-                            .cancel = cancel,
+                            .cancel = run->cancel,
                             .to_eye = zr_normal_matrix_make(object_to_eye),
                             .rate = rate,
                             .creases = rate == ZR_RATE_CORNER ? crease_normals : NULL,
-                            .isa = zr_team_isa(team),
+                            .isa = zr_team_isa(run->team),
                             .out = out};
     if (rate != ZR_RATE_FACE && !making.creases && zr_mesh_lacks_normals(mesh)) {
-        if (!*vertex_normals) *vertex_normals = zr_vertex_normals_make(arena, team, cancel, mesh);
+        if (!*vertex_normals) *vertex_normals = zr_vertex_normals_make(run, mesh);
         making.computed = *vertex_normals;
     }
-    if (!zr_arena_ok(arena)) return false;
-    zr_team_ranges(team, zr_eye_normals_count(mesh, rate), NORMALS_A_RANGE, make_range, &making);
+    if (!zr_arena_ok(run->arena)) return false;
+    zr_team_ranges(run->team, zr_eye_normals_count(mesh, rate), NORMALS_A_RANGE, make_range, &making);
     return true;
 }

@@ -5,6 +5,7 @@
 #ifndef ZR_EYE_NORMALS_H
 #define ZR_EYE_NORMALS_H
 
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "shade/attribute.h"
@@ -19,8 +20,8 @@ uint32_t zr_eye_normals_count(const struct zr_mesh *mesh, enum zr_rate rate);
 
 /* Writes all normals to out[]. crease_normals: per corner, for ZR_RATE_CORNER, or NULL. *vertex_normals: as in
  * zr_colors_make. Returns false if the arena has failed. Returns early if cancelled. */
-bool zr_eye_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                         const struct zr_mesh *mesh, const zr_mat4 *object_to_eye, enum zr_rate rate,
-                         const zr_vec4 *crease_normals, const zr_vec4 **vertex_normals, zr_vec4 *out);
+bool zr_eye_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, const zr_mat4 *object_to_eye,
+                         enum zr_rate rate, const zr_vec4 *crease_normals, const zr_vec4 **vertex_normals,
+                         zr_vec4 *out);
 
 #endif

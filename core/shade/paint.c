@@ -4,6 +4,7 @@
 
 #include "base/fast.h"
 #include "base/rgba.h"
+#include "base/run.h"
 
 /* ---- packed colours ---- */
 
@@ -83,23 +84,23 @@ static void set_prefetch(const struct zr_draw_attributes *of_draw, struct zr_pre
     }
 }
 
-enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+enum zr_status zr_paint_prepare(const struct zr_run *run, const struct zr_geometry *geometry,
                                 struct zr_scene_attributes *attributes, uint64_t pixels,
                                 const struct zr_prepaint **prepaints)
 {
     const uint32_t count = geometry->draw_count;
-    struct zr_prepaint *out = zr_arena_zero(arena, (size_t)count + 1, sizeof *out);
+    struct zr_prepaint *out = zr_arena_zero(run->arena, (size_t)count + 1, sizeof *out);
     size_t words = 0;
-    if (!out || !pack_colors(arena, team, attributes->of_draw, count, pixels)) return ZR_NO_MEMORY;
+    if (!out || !pack_colors(run->arena, run->team, attributes->of_draw, count, pixels)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < count; i++)
         words += back_word_count(&attributes->of_draw[i]);
-    uint32_t *backs = zr_arena_zero(arena, words, sizeof *backs);
+    uint32_t *backs = zr_arena_zero(run->arena, words, sizeof *backs);
     if (!backs) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < count; i++) {
         struct zr_draw_attributes *of_draw = &attributes->of_draw[i];
         words = ZR_FAST(noted_backs, back_word_count(of_draw) > 0) ? back_word_count(of_draw) : 0;
         out[i] = (struct zr_prepaint){.context = of_draw, .draw = of_draw->draw, .backs = words > 0 ? backs : NULL};
-        if (ZR_FAST(early_words, zr_draw_is_painted_early(of_draw))) out[i].make = zr_early_of(zr_team_isa(team));
+        if (ZR_FAST(early_words, zr_draw_is_painted_early(of_draw))) out[i].make = zr_early_of(zr_team_isa(run->team));
         set_prefetch(of_draw, &out[i]);
         of_draw->backs = out[i].backs;
         backs += words;

@@ -11,6 +11,7 @@
 #define ZR_PAINT_H
 
 #include "base/isa.h"
+#include "base/run.h"
 #include "raster/prepaint.h"
 #include "raster/tile.h"
 #include "shade/draw_attributes.h"
@@ -100,7 +101,7 @@ static inline bool zr_draw_is_painted_early(const struct zr_draw_attributes *of_
 /* Makes the zr_prepaint of each draw for raster/: early painting, the bits of backs, the first address to prefetch.
  * Also packs the colours of flat draws with few colours per pixel, which replaces three look-ups by one (0.2 ms of the
  * bunny at 1920x1080). Returns ZR_OK or ZR_NO_MEMORY. */
-enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+enum zr_status zr_paint_prepare(const struct zr_run *run, const struct zr_geometry *geometry,
                                 struct zr_scene_attributes *attributes, uint64_t pixels,
                                 const struct zr_prepaint **prepaints);
 

@@ -150,7 +150,7 @@ static inline uint32_t zr_parts_find(struct zr_parts *parts, uint32_t count, con
 }
 
 /* Up to ZR_LANES consecutive parts of one draw. */
-struct zr_run {
+struct zr_draw_run {
     const struct zr_draw *draw;
     const struct zr_draw_attributes *of_draw;
     uint32_t first, count;
@@ -164,7 +164,7 @@ struct zr_shader {
     const struct zr_draw *draw; /* draw of the last run; the first one initially */
     struct zr_parts parts;
     uint32_t run_count;
-    struct zr_run runs[ZR_PARTS_MOST];
+    struct zr_draw_run runs[ZR_PARTS_MOST];
     bool any_planes;
     bool has_planes[ZR_PARTS_ROOM];
     bool is_constant[ZR_PARTS_ROOM]; /* with fog or textures: the colour's planes are constants, not over w */
@@ -192,7 +192,7 @@ static inline const struct zr_draw_attributes *zr_attributes_of_draw(const struc
 /* ---- runs of parts ---- */
 
 /* Returns the numbers of the run's triangles in its draw. Lanes beyond its end repeat the first. */
-static inline zr_vi zr_run_numbers(const struct zr_shader *s, const struct zr_run *run)
+static inline zr_vi zr_draw_run_numbers(const struct zr_shader *s, const struct zr_draw_run *run)
 {
     const uint32_t *owners = s->parts.owners + run->first;
     const zr_vi owner = zr_vi_select(zr_vm_first(run->count), zr_vi_load(owners), zr_vi_set((int32_t)owners[0]));
@@ -205,14 +205,14 @@ static inline void zr_find_runs(struct zr_shader *s)
     s->run_count = 0;
     for (uint32_t i = 1, count; i < s->parts.count; i += count) {
         const uint32_t left = s->parts.count - i;
-        struct zr_run *run = &s->runs[s->run_count++];
+        struct zr_draw_run *run = &s->runs[s->run_count++];
         const struct zr_draw *draw = s->draw = zr_draw_next(s->geometry, s->draw, owners[i] - 1);
         const zr_vi t = zr_vi_load(owners + i) - zr_vi_set((int32_t)draw->first + 1);
         const zr_vm of_draw = zr_vi_lt_where(zr_vi_lt(zr_vi_set(-1), t), t, zr_vi_set((int32_t)draw->count));
         const uint32_t others = zr_vm_bits(of_draw) ^ ZR_ALL_BITS;
         count = others ? (uint32_t)zr_lowest_bit(others) : ZR_LANES;
         count = count < left ? count : left;
-        *run = (struct zr_run){draw, zr_attributes_of_draw(s, draw), i, count};
+        *run = (struct zr_draw_run){draw, zr_attributes_of_draw(s, draw), i, count};
     }
 }
 
@@ -234,7 +234,7 @@ static inline int zr_find_parts(struct zr_shader *s, const struct zr_tile *tile,
     return row;
 }
 
-static inline void zr_put_words(struct zr_shader *s, const struct zr_run *run, zr_vi words)
+static inline void zr_put_words(struct zr_shader *s, const struct zr_draw_run *run, zr_vi words)
 {
     zr_vi_store(s->words + run->first, words);
     memset(s->has_planes + run->first, false, ZR_LANES);

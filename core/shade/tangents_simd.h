@@ -17,7 +17,8 @@ static inline void zr_texture_transform_v(const struct zr_texture *texture, cons
 }
 
 /* Loads both coordinate sets at the corners of a run's triangles; 0 if the mesh has none. */
-static inline void zr_texcoords_load(const struct zr_run *run, const int32_t (*vertices)[ZR_LANES], zr_vf (*out)[4])
+static inline void zr_texcoords_load(const struct zr_draw_run *run, const int32_t (*vertices)[ZR_LANES],
+                                     zr_vf (*out)[4])
 {
     const zr_vec4 *values = run->of_draw->attributes[ZR_ATTRIBUTE_TEXCOORD].values;
     const struct zr_vec3_v none = zr_spread_v((zr_vec3){0.0f, 0.0f, 0.0f});
@@ -52,14 +53,15 @@ static inline struct zr_tangents_v zr_tangents_of(const struct zr_vec3_v points[
 }
 
 /* Returns the mesh's own tangents, or those of its normal map's coordinates. */
-static inline struct zr_tangents_v zr_tangents_find(const struct zr_shader *s, const struct zr_run *run, zr_vm turned,
-                                                    const int32_t (*vertices)[ZR_LANES], zr_vf (*texcoords)[4])
+static inline struct zr_tangents_v zr_tangents_find(const struct zr_shader *s, const struct zr_draw_run *run,
+                                                    zr_vm turned, const int32_t (*vertices)[ZR_LANES],
+                                                    zr_vf (*texcoords)[4])
 {
     const struct zr_attribute *attributes = run->of_draw->attributes;
     const zr_vec4 *given = attributes[ZR_ATTRIBUTE_TANGENT].values, *points = attributes[ZR_ATTRIBUTE_POINT].values;
     const struct zr_texture *texture =
         zr_texture_map_of(&s->attributes->textures, run->draw->material, ZR_TEXTURE_NORMAL)->texture;
-    const zr_vm backs = zr_shown_backs(run->draw, zr_run_numbers(s, run), turned);
+    const zr_vm backs = zr_shown_backs(run->draw, zr_draw_run_numbers(s, run), turned);
     const zr_vf side = zr_vf_select(backs, zr_vf_set(-1.0f), zr_vf_set(1.0f));
     struct zr_tangents_v out;
     zr_vf last[3];

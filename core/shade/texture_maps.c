@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/run.h"
 #include "base/srgb.h"
 #include "scene/image.h"
 
@@ -26,10 +27,8 @@ struct decoding {
 };
 
 struct making {
-    struct zr_arena *arena;
-    struct zr_team *team;
+    const struct zr_run *run;
     const struct zr_scene *scene;
-    const struct zr_cancel *cancel;
     bool decode;
     struct decoding decodings[2]; /* of 8 and of 16 bits; values NULL: not needed so far */
     uint8_t codes[CODE_STEPS + 1];
@@ -54,11 +53,11 @@ static const uint8_t *make_codes(const float *thresholds, uint8_t *codes)
 static bool make_decoding(struct making *m, uint32_t bits, struct decoding *out)
 {
     const size_t count = (size_t)1 << bits, last = 2 * (count - 1);
-    float *ramp = zr_arena_alloc(m->arena, last + ROOM_BEHIND, sizeof *ramp);
-    float *values = zr_arena_alloc(m->arena, count, sizeof *values);
-    float *thresholds = zr_arena_alloc(m->arena, count, sizeof *thresholds);
-    if (!zr_arena_ok(m->arena)) return false;
-    zr_srgb_ramp_of(zr_team_isa(m->team))(last, ramp);
+    float *ramp = zr_arena_alloc(m->run->arena, last + ROOM_BEHIND, sizeof *ramp);
+    float *values = zr_arena_alloc(m->run->arena, count, sizeof *values);
+    float *thresholds = zr_arena_alloc(m->run->arena, count, sizeof *thresholds);
+    if (!zr_arena_ok(m->run->arena)) return false;
+    zr_srgb_ramp_of(zr_team_isa(m->run->team))(last, ramp);
     for (size_t i = 0; i < count; i++) {
         values[i] = ramp[2 * i];
         thresholds[i] = i + 1 < count ? ramp[2 * i + 1] : 2.0f;
@@ -214,11 +213,11 @@ static bool make_levels(struct making *m, uint32_t bits, const struct decoding *
         struct zr_texture_level *to = &chain->levels[chain->level_count];
         if (from->width == 1 && from->height == 1) return true;
         *to = (struct zr_texture_level){.width = zr_image_half(from->width), .height = zr_image_half(from->height)};
-        void *texels = zr_arena_alloc(m->arena, (size_t)to->width * to->height, bits / 2);
+        void *texels = zr_arena_alloc(m->run->arena, (size_t)to->width * to->height, bits / 2);
         if (!texels) return false;
         to->texels = texels;
-        struct halving halving = {from, to, texels, bits, decoding, m->cancel};
-        zr_team_ranges(m->team, to->height, TEXELS_A_RANGE / to->width + 1, halve_rows, &halving);
+        struct halving halving = {from, to, texels, bits, decoding, m->run->cancel};
+        zr_team_ranges(m->run->team, to->height, TEXELS_A_RANGE / to->width + 1, halve_rows, &halving);
         chain->level_count++;
     }
     return true;
@@ -242,10 +241,10 @@ static bool take_levels(struct making *m, const struct zr_image *image, const st
     for (struct zr_image level = *image; level.width > 1 || level.height > 1; at += zr_image_bytes(&level)) {
         level.width = zr_image_half(level.width);
         level.height = zr_image_half(level.height);
-        zr_arena_alloc(m->arena, zr_image_bytes(&level), 1);
+        zr_arena_alloc(m->run->arena, zr_image_bytes(&level), 1);
         chain->levels[chain->level_count++] = (struct zr_texture_level){level.width, level.height, at};
     }
-    return zr_arena_ok(m->arena);
+    return zr_arena_ok(m->run->arena);
 }
 
 /* Copies the levels into the room of a kept image, unless another thread has filled it. */
@@ -254,7 +253,7 @@ static void keep_levels(const struct making *m, const struct zr_image *image, co
 {
     struct zr_image_levels *kept = image->levels;
     int empty = ZR_LEVELS_EMPTY;
-    if (!kept || zr_is_cancelled(m->cancel)) return; /* cancelled: not all rows are made */
+    if (!kept || zr_is_cancelled(m->run->cancel)) return; /* cancelled: not all rows are made */
     if (!atomic_compare_exchange_strong(&kept->state, &empty, ZR_LEVELS_WRITTEN)) return;
     unsigned char *at = kept->texels;
     for (uint32_t i = 1; i < chain->level_count; i++) {
@@ -269,7 +268,7 @@ static bool find_levels(struct making *m, const struct zr_image *image, const st
                         struct chain *chain)
 {
     if (take_levels(m, image, decoding, chain)) return true;
-    if (!zr_arena_ok(m->arena)) return false;
+    if (!zr_arena_ok(m->run->arena)) return false;
     if (!make_levels(m, image->bits, decoding, chain)) return false;
     keep_levels(m, image, decoding, chain);
     return true;
@@ -316,7 +315,7 @@ static bool make_opacity(struct making *m, const struct zr_texture *texture, str
 {
     const struct zr_image *image = &m->scene->images[texture->image];
     struct chain chain = {.level_count = 1};
-    chain.levels[0] = (struct zr_texture_level){image->width, image->height, spread_alpha(m->arena, image)};
+    chain.levels[0] = (struct zr_texture_level){image->width, image->height, spread_alpha(m->run->arena, image)};
     if (!chain.levels[0].texels) return false;
     if (zr_filter_has_levels(texture->minify) && !make_levels(m, image->bits, NULL, &chain)) return false;
     *map = (struct zr_texture_map){.texture = texture, .bits = image->bits, .level_count = chain.level_count};
@@ -346,22 +345,22 @@ static bool make_map(struct making *m, const struct zr_texture *texture, struct 
     return true;
 }
 
-enum zr_status zr_texture_maps_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                    bool decode, const struct zr_cancel *cancel, struct zr_texture_maps *maps)
+enum zr_status zr_texture_maps_make(const struct zr_run *run, const struct zr_scene *scene, bool decode,
+                                    struct zr_texture_maps *maps)
 {
-    struct making m = {.arena = arena, .team = team, .scene = scene, .cancel = cancel, .decode = decode};
+    struct making m = {.run = run, .scene = scene, .decode = decode};
     *maps = (struct zr_texture_maps){NULL, NULL};
     if (scene->texture_count == 0) return ZR_OK;
-    struct zr_texture_map *of = zr_arena_zero(arena, scene->texture_count, sizeof *of);
-    struct zr_texture_map *opacity = zr_arena_zero(arena, scene->texture_count, sizeof *opacity);
-    m.chains = zr_arena_zero(arena, 2 * (size_t)scene->image_count, sizeof *m.chains);
-    const bool *used = find_used(arena, scene);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    struct zr_texture_map *of = zr_arena_zero(run->arena, scene->texture_count, sizeof *of);
+    struct zr_texture_map *opacity = zr_arena_zero(run->arena, scene->texture_count, sizeof *opacity);
+    m.chains = zr_arena_zero(run->arena, 2 * (size_t)scene->image_count, sizeof *m.chains);
+    const bool *used = find_used(run->arena, scene);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < scene->texture_count; i++) {
         if (!used[1 + i]) continue;
         if (!make_map(&m, &scene->textures[i], &of[i])) return ZR_NO_MEMORY;
         if (is_see_through(scene, i) && !make_opacity(&m, &scene->textures[i], &opacity[i])) return ZR_NO_MEMORY;
-        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     }
     *maps = (struct zr_texture_maps){of, opacity};
     return ZR_OK;

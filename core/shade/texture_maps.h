@@ -9,6 +9,7 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/status.h"
 #include "base/team.h"
 #include "scene/scene.h"
@@ -39,8 +40,8 @@ struct zr_texture_maps {
 /* Makes the maps of the textures that a material has. They point to the scene, and to kept levels of its images.
  * decode: colours are converted to linear light; else values stay as they are. Returns ZR_OK, ZR_CANCELLED or
  * ZR_NO_MEMORY. */
-enum zr_status zr_texture_maps_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                    bool decode, const struct zr_cancel *cancel, struct zr_texture_maps *maps);
+enum zr_status zr_texture_maps_make(const struct zr_run *run, const struct zr_scene *scene, bool decode,
+                                    struct zr_texture_maps *maps);
 
 /* Upper bounds of its cost: texels made, and bytes of texels and tables. */
 struct zr_texture_maps_size {

@@ -13,7 +13,7 @@
 /* ---- planes ---- */
 
 /* Makes plane k of a run, from one value per corner as the corners stand in the mesh. */
-ZR_INLINED void zr_put_value(struct zr_shader *s, const struct zr_run *run, unsigned mask, int k,
+ZR_INLINED void zr_put_value(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask, int k,
                              const struct zr_triangle_setup_v *setup, const zr_vf v[3], bool flat)
 {
     const zr_vf zero = zr_vf_set(0.0f);
@@ -27,7 +27,7 @@ ZR_INLINED void zr_put_value(struct zr_shader *s, const struct zr_run *run, unsi
 }
 
 /* Makes planes k, k + 1 and k + 2. */
-ZR_INLINED void zr_put_three(struct zr_shader *s, const struct zr_run *run, unsigned mask, int k,
+ZR_INLINED void zr_put_three(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask, int k,
                              const struct zr_triangle_setup_v *setup, const struct zr_vec3_v v[3], bool flat)
 {
     const zr_vf x[3] = {v[0].x, v[1].x, v[2].x}, y[3] = {v[0].y, v[1].y, v[2].y}, z[3] = {v[0].z, v[1].z, v[2].z};
@@ -37,7 +37,7 @@ ZR_INLINED void zr_put_three(struct zr_shader *s, const struct zr_run *run, unsi
 }
 
 /* Makes the groups COLOR and OPACITY, which have one rate. */
-ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const struct zr_draw_attributes *of_draw = run->of_draw;
@@ -46,7 +46,8 @@ ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, uns
     struct zr_vec3_v c[3];
     zr_vf opacity[3];
     uint32_t backs = 0;
-    if (of_draw->two_sided_colors) backs = zr_vm_bits(zr_shown_backs(run->draw, zr_run_numbers(s, run), setup->turned));
+    if (of_draw->two_sided_colors)
+        backs = zr_vm_bits(zr_shown_backs(run->draw, zr_draw_run_numbers(s, run), setup->turned));
     zr_colors_load(of_draw, corners->value, backs, c, opacity);
     if (mask & ZR_VARY_COLOR) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_COLOR), setup, c, flat);
     if (mask & ZR_VARY_OPACITY) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_OPACITY), setup, opacity, flat);
@@ -54,19 +55,19 @@ ZR_INLINED void zr_put_colors(struct zr_shader *s, const struct zr_run *run, uns
 }
 
 /* Makes the group NORMAL. Flat surfaces in fog have no normals: 0. */
-ZR_INLINED void zr_put_normals(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+ZR_INLINED void zr_put_normals(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask,
                                const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const struct zr_attribute *normal = &run->of_draw->attributes[ZR_ATTRIBUTE_NORMAL];
     const struct zr_vec3_v none = zr_spread_v((zr_vec3){0.0f, 0.0f, 0.0f});
     struct zr_vec3_v n[3] = {none, none, none};
-    if (normal->values) zr_normals_load(run->of_draw, zr_run_numbers(s, run), setup->turned, corners, n);
+    if (normal->values) zr_normals_load(run->of_draw, zr_draw_run_numbers(s, run), setup->turned, corners, n);
     zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_NORMAL), setup, n,
                  !(mask & ZR_VARY_PER_PIXEL) && zr_rate_is_flat(normal->rate));
 }
 
 /* Makes the groups POINT and DEPTH. */
-ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const zr_vec4 *points = run->of_draw->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
@@ -78,7 +79,7 @@ ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_run *run, uns
 }
 
 /* Makes the group PLACE. In a G-buffer, texture coordinates are the mesh's own, and only opacity needs places. */
-ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const struct zr_texture_map *alpha = zr_opacity_map_of(&s->attributes->textures, run->draw->material);
@@ -95,7 +96,7 @@ ZR_INLINED void zr_put_places(struct zr_shader *s, const struct zr_run *run, uns
 }
 
 /* Makes the groups TEXCOORDS and TANGENT. */
-static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask,
                                     const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
     const int first = zr_first_plane(mask, ZR_VARY_TEXCOORDS), tangent = zr_first_plane(mask, ZR_VARY_TANGENT);
@@ -122,7 +123,7 @@ static inline enum zr_rate zr_rate_of(const struct zr_draw_attributes *of_draw, 
 }
 
 /* Makes all planes of a run of triangles; is_per_pixel: they have all groups of a set with ZR_VARY_PER_PIXEL. */
-ZR_INLINED void zr_put_triangles(struct zr_shader *s, const struct zr_run *run, unsigned mask,
+ZR_INLINED void zr_put_triangles(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask,
                                  const struct zr_corner_numbers *corners, bool is_per_pixel)
 {
     const struct zr_triangle_setup_v setup = zr_way_of(s->geometry->vertices, corners->vertex);
@@ -139,7 +140,7 @@ ZR_INLINED void zr_put_triangles(struct zr_shader *s, const struct zr_run *run, 
 }
 
 /* Makes all planes of part i, a line or a point. */
-static inline void zr_put_line(struct zr_shader *s, const struct zr_run *run, unsigned mask, uint32_t i)
+static inline void zr_put_line(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask, uint32_t i)
 {
     struct zr_plane planes[ZR_PLANES_MOST];
     const uint32_t count = (uint32_t)zr_plane_count(mask);
@@ -149,7 +150,7 @@ static inline void zr_put_line(struct zr_shader *s, const struct zr_run *run, un
 }
 
 /* Stores the material of each part of a run, NULL if it is not shaded per pixel. Lines are unlit. */
-ZR_INLINED void zr_put_material(struct zr_shader *s, const struct zr_run *run, bool is_per_pixel)
+ZR_INLINED void zr_put_material(struct zr_shader *s, const struct zr_draw_run *run, bool is_per_pixel)
 {
     static const struct zr_material unlit = {.shading = ZR_SHADING_UNLIT};
     const struct zr_material *material = zr_draw_is_of_wires(run->draw) ? &unlit : run->draw->material;
@@ -158,7 +159,7 @@ ZR_INLINED void zr_put_material(struct zr_shader *s, const struct zr_run *run, b
     s->any_per_pixel |= is_per_pixel;
 }
 
-ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_run *run, unsigned mask)
+ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask)
 {
     const struct zr_draw *draw = run->draw;
     const bool of_wires = zr_draw_is_of_wires(draw);
@@ -172,7 +173,7 @@ ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_run *run, unsign
         return;
     }
     const struct zr_corner_numbers corners =
-        zr_corner_numbers_of(draw, zr_rate_of(run->of_draw, mask), zr_run_numbers(s, run));
+        zr_corner_numbers_of(draw, zr_rate_of(run->of_draw, mask), zr_draw_run_numbers(s, run));
     zr_put_triangles(s, run, mask, &corners, is_per_pixel);
 }
 

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "output/images/apng.h"
 #include "output/images/webp_frames.h"
 #include "output/npy.h"
@@ -25,21 +26,18 @@ struct warned {
 };
 
 struct collecting {
-    struct zr_arena *arena;
+    const struct zr_run *run;
     const struct zr_views *views;
-    struct zr_team *team;
-    const struct zr_cancel *cancel;
     struct sink *sinks;
     struct zr_sheet_picture sheet;
     struct zr_files *files;
     struct warned *warned; /* by warning of the files */
-    struct zr_error *error;
 };
 
 static bool add_file(struct collecting *c, const char *name, const void *bytes, size_t size, const char *type)
 {
     struct zr_files *files = c->files;
-    const char *copied = zr_arena_copy(c->arena, name, strlen(name) + 1);
+    const char *copied = zr_arena_copy(c->run->arena, name, strlen(name) + 1);
     if (!copied) return false;
     files->entries[files->count] = (struct zr_zip_entry){copied, bytes, size};
     files->types[files->count++] = type;
@@ -66,7 +64,7 @@ static enum zr_status add_frame(struct collecting *c, struct sink *sink, uint32_
         &fault, status, NULL, "%s",
         is_apng ? "its size, or whether its background is opaque, differs from view 0: all frames of an apng must agree"
                 : "with this frame, the webp has 4 GiB or more: a smaller window, fewer frames or less quality fit");
-    return zr_view_report(c->views, number, status, &fault, c->error);
+    return zr_view_report(c->views, number, status, &fault, c->run->error);
 }
 
 /* Takes the files of a view out of its arena. Views of a sheet without info have no file for its sink. */
@@ -85,7 +83,7 @@ static enum zr_status take_files(struct collecting *c, const struct zr_drawn_vie
         const void *copy;
         switch (sink->kind) {
         case EACH:
-            copy = zr_arena_copy(c->arena, entry->bytes, entry->size);
+            copy = zr_arena_copy(c->run->arena, entry->bytes, entry->size);
             snprintf(name, sizeof name, "%s.%s", view->name, entry->name);
             if (!copy || !add_file(c, name, copy, entry->size, files->types[i])) status = ZR_NO_MEMORY;
             break;
@@ -111,7 +109,7 @@ static enum zr_status take_files(struct collecting *c, const struct zr_drawn_vie
 static bool take_encoders(struct collecting *c, const char *encoders)
 {
     if (*c->files->encoders || !encoders || !*encoders) return true;
-    c->files->encoders = zr_arena_copy(c->arena, encoders, strlen(encoders) + 1);
+    c->files->encoders = zr_arena_copy(c->run->arena, encoders, strlen(encoders) + 1);
     return c->files->encoders != NULL;
 }
 
@@ -124,11 +122,11 @@ static void take_warnings(struct collecting *c, const struct zr_warning_list *wa
         while (k < all->count && strcmp(all->texts[k], warnings->texts[i]) != 0)
             k++;
         if (k == all->count) {
-            struct warned *more = zr_arena_grow(c->arena, c->warned, k, k + 1, sizeof *more);
+            struct warned *more = zr_arena_grow(c->run->arena, c->warned, k, k + 1, sizeof *more);
             if (!more) return;
             c->warned = more;
             c->warned[k] = (struct warned){0, number};
-            zr_warning_list_add(c->arena, all, "%s", warnings->texts[i]);
+            zr_warning_list_add(c->run->arena, all, "%s", warnings->texts[i]);
         }
         if (k < all->count) c->warned[k].views++;
     }
@@ -145,12 +143,12 @@ static void name_warnings(struct collecting *c)
         const struct warned *warned = &c->warned[i];
         zr_view_name(c->views->set, warned->first, name);
         if (warned->views == count)
-            zr_warning_list_add(c->arena, &c->files->warnings, "%s", all.texts[i]);
+            zr_warning_list_add(c->run->arena, &c->files->warnings, "%s", all.texts[i]);
         else if (warned->views == 1)
-            zr_warning_list_add(c->arena, &c->files->warnings, "view %s: %s", name, all.texts[i]);
+            zr_warning_list_add(c->run->arena, &c->files->warnings, "view %s: %s", name, all.texts[i]);
         else
-            zr_warning_list_add(c->arena, &c->files->warnings, "%u of %u views, the first is %s: %s", warned->views,
-                                count, name, all.texts[i]);
+            zr_warning_list_add(c->run->arena, &c->files->warnings, "%u of %u views, the first is %s: %s",
+                                warned->views, count, name, all.texts[i]);
     }
 }
 
@@ -158,7 +156,7 @@ static enum zr_status open_sink(struct collecting *c, const struct zr_output *ou
 {
     const struct zr_view_set *set = c->views->set;
     const struct zr_channel_row *row = &zr_channel_rows[output->channel];
-    *sink = (struct sink){.output = output, .out = {.arena = c->arena}};
+    *sink = (struct sink){.output = output, .out = {.arena = c->run->arena}};
     if (c->views->scene->sheet.is_on && output->channel == ZR_CHANNEL_COLOR)
         sink->kind = SHEET;
     else if (c->views->scene->sheet.is_on && output->channel == ZR_CHANNEL_INFO)
@@ -188,22 +186,22 @@ static enum zr_status open_files(struct collecting *c)
     const struct zr_view *view = &c->views->scene->views[0];
     const size_t most = (size_t)c->views->set->count * view->output_count;
     enum zr_status status = ZR_OK;
-    *c->files = (struct zr_files){.entries = zr_arena_alloc(c->arena, most, sizeof *c->files->entries),
-                                  .types = zr_arena_alloc(c->arena, most, sizeof *c->files->types),
+    *c->files = (struct zr_files){.entries = zr_arena_alloc(c->run->arena, most, sizeof *c->files->entries),
+                                  .types = zr_arena_alloc(c->run->arena, most, sizeof *c->files->types),
                                   .encoders = ""};
-    c->sinks = zr_arena_alloc(c->arena, view->output_count, sizeof *c->sinks);
+    c->sinks = zr_arena_alloc(c->run->arena, view->output_count, sizeof *c->sinks);
     if (!c->files->entries || !c->files->types || !c->sinks) return ZR_NO_MEMORY;
     for (uint32_t i = 0; status == ZR_OK && i < view->output_count; i++)
         status = open_sink(c, &view->outputs[i], &c->sinks[i]);
-    if (status == ZR_OK && c->views->scene->sheet.is_on) status = zr_sheet_picture_make(c->arena, c->views, &c->sheet);
+    if (status == ZR_OK && c->views->scene->sheet.is_on)
+        status = zr_sheet_picture_make(c->run->arena, c->views, &c->sheet);
     return status;
 }
 
 static enum zr_status close_sheet(struct collecting *c, uint32_t number)
 {
     struct zr_files files;
-    const enum zr_status status =
-        zr_sheet_picture_encode(&c->sheet, number, c->arena, c->team, c->cancel, &files, c->error);
+    const enum zr_status status = zr_sheet_picture_encode(c->run, &c->sheet, number, &files);
     if (status != ZR_OK) return status;
     const struct zr_zip_entry *entry = &files.entries[0];
     if (!take_encoders(c, files.encoders)) return ZR_NO_MEMORY;
@@ -257,13 +255,15 @@ static enum zr_status check_sizes(const struct zr_views *views, struct zr_error 
     return ZR_OK;
 }
 
-enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
-                             const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error)
+enum zr_status zr_views_draw(const struct zr_run *run, struct zr_views *views, struct zr_files *files)
 {
     struct collecting collecting = {
-        .arena = arena, .team = team, .cancel = cancel, .views = views, .files = files, .error = error};
+        .run = run,
+        .views = views,
+        .files = files,
+    };
     const struct zr_views_taker taker = {take, &collecting};
-    enum zr_status status = check_sizes(views, error);
-    if (status == ZR_OK) status = zr_views_draw_each(arena, team, views, cancel, taker, error);
+    enum zr_status status = check_sizes(views, run->error);
+    if (status == ZR_OK) status = zr_views_draw_each(run, views, taker);
     return status == ZR_OK ? close_files(&collecting) : status;
 }

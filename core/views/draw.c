@@ -1,6 +1,7 @@
 /* Draws all views of a request, a few at once, and hands them on in order. */
 #include <math.h>
 
+#include "base/run.h"
 #include "mesh/mesh_tables.h"
 #include "render/frame_parts.h"
 #include "scene/scene.h"
@@ -20,29 +21,27 @@ struct drawing {
 };
 
 struct batch {
+    const struct zr_run *run;
     const struct zr_views *views;
-    struct zr_team *team;
-    const struct zr_cancel *cancel;
     uint32_t first;
     uint32_t width; /* drawn at once */
     struct drawing *drawings;
-    struct zr_arena *arena; /* of the request */
-    size_t shared_bytes;    /* of the request, without the drawings */
+    size_t shared_bytes; /* of the request, without the drawings */
     struct zr_views_taker taker;
-    struct zr_error *error;
 };
 
 static void draw(const struct batch *batch, uint32_t number, struct drawing *d)
 {
     const struct zr_scene *scene;
     struct zr_error faults = {0};
+    const struct zr_run own = zr_run_in(batch->run, &d->arena);
+    const struct zr_run reading = zr_run_reporting(&own, &d->error), drawing = zr_run_reporting(&own, &faults);
     zr_arena_reset(&d->arena, SIZE_MAX);
     d->error = (struct zr_error){0};
-    d->status = zr_view_scene(batch->views, number, &d->arena, batch->team, batch->cancel, &scene, &d->error);
+    d->status = zr_view_scene(&reading, batch->views, number, &scene);
     if (d->status != ZR_OK) return;
-    d->status = zr_render(&d->arena, batch->team, scene, NULL, batch->cancel, &d->frame, &faults);
-    if (d->status == ZR_OK)
-        d->status = zr_encode_files(&d->arena, batch->team, scene, d->frame, NULL, batch->cancel, &d->files, &faults);
+    d->status = zr_render(&drawing, scene, NULL, &d->frame);
+    if (d->status == ZR_OK) d->status = zr_encode_files(&drawing, scene, d->frame, NULL, &d->files);
     if (d->status != ZR_OK) zr_view_report(batch->views, number, d->status, &faults, &d->error);
 }
 
@@ -86,7 +85,7 @@ static enum zr_status hand_on(const struct batch *batch, uint32_t number, const 
     char name[ZR_VIEW_NAME_SIZE];
     zr_view_name(batch->views->set, number, name);
     const struct zr_drawn_view view = {number, name, &d->files, d->frame, find_held(batch)};
-    const enum zr_status status = batch->taker.take(batch->taker.context, &view, batch->error);
+    const enum zr_status status = batch->taker.take(batch->taker.context, &view, batch->run->error);
     const struct zr_views *views = batch->views;
     if (status == ZR_OK && views->progress) views->progress(views->progress_context, number + 1, views->set->count);
     return status;
@@ -99,9 +98,9 @@ static enum zr_status take_batch(struct batch *batch, uint32_t count)
         if (d->status == ZR_NO_MEMORY && batch->width > 1) draw_alone(batch, i);
         enum zr_status status = d->status;
         for (size_t k = 0; k < zr_error_held(&d->error); k++)
-            zr_error_add(batch->error, status, d->error.items[k].pointer, "%s", d->error.items[k].detail);
+            zr_error_add(batch->run->error, status, d->error.items[k].pointer, "%s", d->error.items[k].detail);
         if (status == ZR_NO_MEMORY) /* fails, for the caller */
-            zr_arena_charge(batch->arena, zr_arena_left(batch->arena) + 1);
+            zr_arena_charge(batch->run->arena, zr_arena_left(batch->run->arena) + 1);
         if (status == ZR_OK) status = hand_on(batch, batch->first + i, d);
         if (status != ZR_OK) return status;
         if (d->arena.held > d->arena.ceiling) zr_arena_reset(&batch->drawings[i].arena, 0); /* was drawn alone */
@@ -126,51 +125,52 @@ static enum zr_status draw_all(struct batch *batch)
     enum zr_status status = ZR_OK;
     for (; status == ZR_OK && batch->first < count; batch->first += width) {
         const uint32_t now = count - batch->first < width ? count - batch->first : width;
-        zr_team_ranges(batch->team, now, 1, draw_some, batch);
+        zr_team_ranges(batch->run->team, now, 1, draw_some, batch);
         status = take_batch(batch, now);
     }
     return status;
 }
 
-static enum zr_status make_tables(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
-                                  const struct zr_cancel *cancel)
+static enum zr_status make_tables(const struct zr_run *run, struct zr_views *views)
 {
-    struct zr_mesh_tables *tables = zr_arena_alloc(arena, 1, sizeof *tables);
+    struct zr_mesh_tables *tables = zr_arena_alloc(run->arena, 1, sizeof *tables);
     views->tables = tables;
-    return tables ? zr_mesh_tables_make(arena, team, views->scene, cancel, tables) : ZR_NO_MEMORY;
+    return tables ? zr_mesh_tables_make(run, views->scene, tables) : ZR_NO_MEMORY;
 }
 
 /* Measures the parts for all views that share them. */
-static enum zr_status make_parts(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
-                                 const struct zr_cancel *cancel)
+static enum zr_status make_parts(const struct zr_run *run, struct zr_views *views)
 {
     views->known_parts = NULL;
     if (!views->shares_parts) return ZR_OK;
-    struct zr_known_parts *parts = zr_arena_alloc(arena, 1, sizeof *parts);
+    struct zr_known_parts *parts = zr_arena_alloc(run->arena, 1, sizeof *parts);
     if (!parts) return ZR_NO_MEMORY;
     views->known_parts = parts;
-    return zr_known_parts_make(arena, team, views->scene, cancel, parts);
+    return zr_known_parts_make(run, views->scene, parts);
 }
 
-enum zr_status zr_views_draw_each(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
-                                  const struct zr_cancel *cancel, struct zr_views_taker taker, struct zr_error *error)
+enum zr_status zr_views_draw_each(const struct zr_run *run, struct zr_views *views, struct zr_views_taker taker)
 {
-    enum zr_status status = make_tables(arena, team, views, cancel);
-    if (status == ZR_OK) status = make_parts(arena, team, views, cancel);
+    enum zr_status status = make_tables(run, views);
+    if (status == ZR_OK) status = make_parts(run, views);
     if (status != ZR_OK) return status;
-    const size_t memory = zr_arena_left(arena) / 2;
-    const uint32_t width = find_width(views, team, memory);
+    const size_t memory = zr_arena_left(run->arena) / 2;
+    const uint32_t width = find_width(views, run->team, memory);
     const size_t share = memory / width;
     struct batch batch = {
-        .views = views, .team = team, .cancel = cancel, .width = width, .arena = arena, .taker = taker, .error = error};
-    batch.drawings = zr_arena_zero(arena, width, sizeof *batch.drawings);
-    batch.shared_bytes = arena->held;
-    if (!batch.drawings || !zr_arena_charge(arena, share * width)) return ZR_NO_MEMORY;
+        .run = run,
+        .views = views,
+        .width = width,
+        .taker = taker,
+    };
+    batch.drawings = zr_arena_zero(run->arena, width, sizeof *batch.drawings);
+    batch.shared_bytes = run->arena->held;
+    if (!batch.drawings || !zr_arena_charge(run->arena, share * width)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < width; i++)
         zr_arena_init(&batch.drawings[i].arena, share);
     status = draw_all(&batch);
     for (uint32_t i = 0; i < width; i++)
         zr_arena_free(&batch.drawings[i].arena);
-    zr_arena_refund(arena, share * width);
+    zr_arena_refund(run->arena, share * width);
     return status;
 }

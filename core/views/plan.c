@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "input/scene/kept.h"
 #include "request/change.h"
 #include "scene/output.h"
@@ -19,11 +20,11 @@ struct zr_views zr_views_of_kept(const struct zr_kept *kept)
     return (struct zr_views){.scene = scene, .set = scene->view_set, .kept = kept};
 }
 
-enum zr_status zr_views_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                             const struct zr_limits *limits, struct zr_views *views, struct zr_error *error)
+enum zr_status zr_views_read(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
+                             struct zr_views *views)
 {
     struct zr_kept *kept = NULL;
-    const enum zr_status status = zr_scene_keep_for_views(arena, team, request, limits, &kept, error);
+    const enum zr_status status = zr_scene_keep_for_views(run, request, limits, &kept);
     if (status == ZR_OK) *views = zr_views_of_kept(kept);
     return status;
 }
@@ -48,13 +49,15 @@ static uint64_t pixels_of(const struct zr_view *view)
     return words * view->width * view->height;
 }
 
-static enum zr_status plan_view(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views, uint32_t number,
-                                double times, const struct zr_cancel *cancel, uint64_t *pixels, struct zr_error *error)
+static enum zr_status plan_view(const struct zr_run *run, struct zr_views *views, uint32_t number, double times,
+                                uint64_t *pixels)
 {
     const struct zr_scene *scene;
     const struct zr_resolved_view *resolved;
     struct zr_error faults = {0};
-    enum zr_status status = zr_view_scene(views, number, scratch, team, cancel, &scene, error);
+    const struct zr_run inner = zr_run_in(run, run->scratch);
+    const struct zr_run finding = zr_run_reporting(&inner, &faults);
+    enum zr_status status = zr_view_scene(&inner, views, number, &scene);
     if (status != ZR_OK) return status;
     const struct zr_view *view = &scene->views[0];
     *pixels += pixels_of(view);
@@ -63,8 +66,8 @@ static enum zr_status plan_view(struct zr_arena *scratch, struct zr_team *team, 
         views->height = view->height;
     }
     views->has_one_window &= view->width == views->width && view->height == views->height;
-    status = zr_resolved_view_find(scratch, team, scene, cancel, &resolved, &faults);
-    if (status != ZR_OK) return zr_view_report(views, number, status, &faults, error);
+    status = zr_resolved_view_find(&finding, scene, &resolved);
+    if (status != ZR_OK) return zr_view_report(views, number, status, &faults, run->error);
     struct zr_cost cost = zr_scene_cost(scene, resolved);
     if (zr_view_wants(view, ZR_CHANNEL_INFO) && zr_view_shares_parts(views->set, number)) {
         if (views->shares_parts) zr_cost_remove(&cost, ZR_COST_FACT); /* part of an earlier view's cost */
@@ -95,20 +98,21 @@ static enum zr_status check_names(const struct zr_views *views, struct zr_arena 
 }
 
 /* Finds the scale at which the orthographic views of a sheet fit. */
-static enum zr_status fit_sheet(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views,
-                                const struct zr_cancel *cancel, struct zr_error *error)
+static enum zr_status fit_sheet(const struct zr_run *run, struct zr_views *views)
 {
+    const struct zr_run inner = zr_run_in(run, run->scratch);
     struct zr_shared_camera most = {.xmag = 0.0f};
     enum zr_status status = ZR_OK;
     for (uint32_t i = 0; status == ZR_OK && i < views->set->count; i++) {
         const struct zr_scene *scene;
         const struct zr_resolved_view *resolved;
         struct zr_error faults = {0};
-        zr_arena_reset(scratch, SIZE_MAX);
-        status = zr_view_scene(views, i, scratch, team, cancel, &scene, error);
+        const struct zr_run finding = zr_run_reporting(&inner, &faults);
+        zr_arena_reset(run->scratch, SIZE_MAX);
+        status = zr_view_scene(&inner, views, i, &scene);
         if (status != ZR_OK || !zr_view_has_sheet_scale(&scene->views[0])) continue;
-        status = zr_resolved_view_find(scratch, team, scene, cancel, &resolved, &faults);
-        if (status != ZR_OK) return zr_view_report(views, i, status, &faults, error);
+        status = zr_resolved_view_find(&finding, scene, &resolved);
+        if (status != ZR_OK) return zr_view_report(views, i, status, &faults, run->error);
         most.xmag = fmaxf(most.xmag, 1.0f / resolved->camera.projection.m[0]);
         most.ymag = fmaxf(most.ymag, 1.0f / resolved->camera.projection.m[5]);
     }
@@ -117,16 +121,15 @@ static enum zr_status fit_sheet(struct zr_arena *scratch, struct zr_team *team, 
 }
 
 /* Finds the camera of a turntable or an orbit, for the window of its views. */
-static enum zr_status fit_camera(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views,
-                                 const struct zr_cancel *cancel, struct zr_error *error)
+static enum zr_status fit_camera(const struct zr_run *run, struct zr_views *views)
 {
-    struct zr_scene *scene = zr_arena_copy(scratch, views->scene, sizeof *scene);
+    struct zr_scene *scene = zr_arena_copy(run->scratch, views->scene, sizeof *scene);
     if (!scene) return ZR_NO_MEMORY;
     if (scene->sheet.is_on) {
         scene->views[0].width = (uint32_t)views->layout.width;
         scene->views[0].height = (uint32_t)views->layout.height;
     }
-    return zr_view_set_fit(scene, views->set, team, cancel, &views->camera, error);
+    return zr_view_set_fit(run, scene, views->set, &views->camera);
 }
 
 static enum zr_status lay_out_sheet(struct zr_views *views, struct zr_error *error)
@@ -142,46 +145,45 @@ static enum zr_status lay_out_sheet(struct zr_views *views, struct zr_error *err
         window->width, window->height, views->set->count);
 }
 
-static enum zr_status plan(struct zr_arena *scratch, struct zr_team *team, struct zr_views *views,
-                           const struct zr_cancel *cancel, struct zr_error *error)
+static enum zr_status plan(const struct zr_run *run, struct zr_views *views)
 {
     const struct zr_view_set *set = views->set;
     const uint64_t most = views->kept->limits.view_pixels_max;
     const uint32_t step =
         set->kind == ZR_VIEW_SET_LIST || set->count <= SAMPLED ? 1 : (set->count + SAMPLED - 1) / SAMPLED;
+    const struct zr_run inner = zr_run_in(run, run->scratch);
     uint64_t pixels = 0;
     views->has_one_window = true;
     views->shares_parts = false;
-    views->bounds = zr_bounds_of(views->scene, team, cancel);
-    enum zr_status status = check_names(views, scratch, error);
-    if (status == ZR_OK) status = lay_out_sheet(views, error);
+    views->bounds = zr_bounds_of(views->scene, run->team, run->cancel);
+    enum zr_status status = check_names(views, run->scratch, run->error);
+    if (status == ZR_OK) status = lay_out_sheet(views, run->error);
     /* Windows are equal, but for those of a list: too many pixels are refused before the geometry is walked. */
     if (set->kind != ZR_VIEW_SET_LIST) pixels = set->count * pixels_of(&views->scene->views[0]);
     if (status == ZR_OK && set->kind != ZR_VIEW_SET_LIST && pixels <= most)
-        status = zr_view_set_is_animation(set) ? zr_still_camera_find(scratch, team, views, cancel, error)
-                                               : fit_camera(scratch, team, views, cancel, error);
-    if (status == ZR_OK && set->kind == ZR_VIEW_SET_LIST && views->scene->sheet.is_on)
-        status = fit_sheet(scratch, team, views, cancel, error);
+        status = zr_view_set_is_animation(set) ? zr_still_camera_find(&inner, views) : fit_camera(run, views);
+    if (status == ZR_OK && set->kind == ZR_VIEW_SET_LIST && views->scene->sheet.is_on) status = fit_sheet(run, views);
     for (uint32_t i = 0; status == ZR_OK && i < set->count && pixels <= most; i += i > 0 ? step : 1) {
         uint64_t own = 0;
-        zr_arena_reset(scratch, SIZE_MAX);
+        zr_arena_reset(run->scratch, SIZE_MAX);
         const double left = (double)(set->count - i), times = i > 0 ? fmin(left, (double)step) : 1.0;
-        status = plan_view(scratch, team, views, i, times, cancel, &own, error);
+        status = plan_view(run, views, i, times, &own);
         if (set->kind == ZR_VIEW_SET_LIST) pixels += own;
-        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     }
     if (status == ZR_OK && pixels > most)
-        return zr_error_add(error, ZR_BAD_SCENE, zr_view_set_pointer(set),
+        return zr_error_add(run->error, ZR_BAD_SCENE, zr_view_set_pointer(set),
                             "all views together have %s%" PRIu64 " pixels of images, more than the limit of %" PRIu64,
                             set->kind == ZR_VIEW_SET_LIST ? "at least " : "", pixels, most);
     return status;
 }
 
-enum zr_status zr_views_plan(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
-                             const struct zr_cancel *cancel, struct zr_error *error)
+enum zr_status zr_views_plan(const struct zr_run *run, struct zr_views *views)
 {
-    struct zr_arena scratch = zr_arena_open_scratch(arena);
-    const enum zr_status status = plan(&scratch, team, views, cancel, error);
-    zr_arena_close_scratch(&scratch, arena);
+    struct zr_arena scratch = zr_arena_open_scratch(run->arena);
+    struct zr_run planning = *run;
+    planning.scratch = &scratch;
+    const enum zr_status status = plan(&planning, views);
+    zr_arena_close_scratch(&scratch, run->arena);
     return status;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/rgba.h"
+#include "base/run.h"
 #include "output/json/json_print.h"
 #include "scene/output.h"
 #include "views/view_scene.h"
@@ -86,9 +87,8 @@ void zr_sheet_picture_add(struct zr_sheet_picture *sheet, uint32_t number, const
 
 /* ---- files ---- */
 
-enum zr_status zr_sheet_picture_encode(const struct zr_sheet_picture *sheet, uint32_t number, struct zr_arena *arena,
-                                       struct zr_team *team, const struct zr_cancel *cancel, struct zr_files *files,
-                                       struct zr_error *error)
+enum zr_status zr_sheet_picture_encode(const struct zr_run *run, const struct zr_sheet_picture *sheet, uint32_t number,
+                                       struct zr_files *files)
 {
     const struct zr_drawing_warnings none = {.first = {.count = 0}};
     struct zr_scene scene = *sheet->views->scene;
@@ -97,7 +97,7 @@ enum zr_status zr_sheet_picture_encode(const struct zr_sheet_picture *sheet, uin
     view->output_count = 1;
     const struct zr_frame frame = {
         .view = view, .width = view->width, .height = view->height, .color = (uint8_t *)sheet->canvas.pixels};
-    return zr_encode_files(arena, team, &scene, &frame, &none, cancel, files, error);
+    return zr_encode_files(run, &scene, &frame, &none, files);
 }
 
 static void print_view(struct zr_print *print, const struct zr_sheet_picture *sheet, uint32_t number)

@@ -2,6 +2,7 @@
 #ifndef ZR_SHEET_PICTURE_H
 #define ZR_SHEET_PICTURE_H
 
+#include "base/run.h"
 #include "shade/frame.h"
 #include "views/views.h"
 
@@ -21,9 +22,8 @@ enum zr_status zr_sheet_picture_make(struct zr_arena *arena, const struct zr_vie
 void zr_sheet_picture_add(struct zr_sheet_picture *sheet, uint32_t number, const struct zr_frame *frame);
 
 /* Encodes the picture as the output `number` of the scene. */
-enum zr_status zr_sheet_picture_encode(const struct zr_sheet_picture *sheet, uint32_t number, struct zr_arena *arena,
-                                       struct zr_team *team, const struct zr_cancel *cancel, struct zr_files *files,
-                                       struct zr_error *error);
+enum zr_status zr_sheet_picture_encode(const struct zr_run *run, const struct zr_sheet_picture *sheet, uint32_t number,
+                                       struct zr_files *files);
 
 /* Appends the key "sheet" to the text of an info. Returns ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_sheet_info_add(const struct zr_sheet_picture *sheet, struct zr_buffer *info);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "scene/scene.h"
 #include "views/view_scene.h"
 
@@ -120,18 +121,18 @@ static bool begin(struct gathering *g, const struct zr_scene *first)
     return true;
 }
 
-static enum zr_status gather(struct gathering *g, struct zr_arena *scratch, struct zr_team *team,
-                             const struct zr_views *views, const struct zr_cancel *cancel, struct zr_error *error)
+static enum zr_status gather(const struct zr_run *run, struct gathering *g, const struct zr_views *views)
 {
+    const struct zr_run keeping = zr_run_in(run, g->arena), inner = zr_run_in(run, run->scratch);
     const struct zr_scene *frame;
-    enum zr_status status = zr_view_scene(views, 0, g->arena, team, cancel, &frame, error);
+    enum zr_status status = zr_view_scene(&keeping, views, 0, &frame);
     if (status == ZR_OK && !begin(g, frame)) status = ZR_NO_MEMORY;
     for (uint32_t i = 1; status == ZR_OK && i < views->set->count; i++) {
-        zr_arena_reset(scratch, SIZE_MAX);
-        scratch->ceiling = zr_arena_left(g->arena);
-        status = zr_view_scene(views, i, scratch, team, cancel, &frame, error);
+        zr_arena_reset(run->scratch, SIZE_MAX);
+        run->scratch->ceiling = zr_arena_left(g->arena);
+        status = zr_view_scene(&inner, views, i, &frame);
         if (status == ZR_OK && !add_frame(g, frame)) status = ZR_NO_MEMORY;
-        if (status == ZR_OK && zr_is_cancelled(cancel)) status = ZR_CANCELLED;
+        if (status == ZR_OK && zr_is_cancelled(run->cancel)) status = ZR_CANCELLED;
     }
     if (status != ZR_OK) return status;
     g->scene->meshes = g->meshes;
@@ -141,22 +142,24 @@ static enum zr_status gather(struct gathering *g, struct zr_arena *scratch, stru
     return ZR_OK;
 }
 
-enum zr_status zr_still_camera_find(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
-                                    const struct zr_cancel *cancel, struct zr_error *error)
+enum zr_status zr_still_camera_find(const struct zr_run *run, struct zr_views *views)
 {
     const struct zr_view *given = &views->scene->views[0];
-    struct gathering g = {.arena = arena};
+    struct gathering g = {.arena = run->arena};
     struct zr_camera camera;
     struct zr_error faults = {0};
+    const struct zr_run finding = zr_run_reporting(run, &faults);
+    struct zr_run gathering = *run;
     struct zr_arena scratch;
     if (!fits_pose(given) && !fits_size(given)) return ZR_OK;
-    zr_arena_init(&scratch, zr_arena_left(arena));
-    enum zr_status status = gather(&g, &scratch, team, views, cancel, error);
+    zr_arena_init(&scratch, zr_arena_left(run->arena));
+    gathering.scratch = &scratch;
+    enum zr_status status = gather(&gathering, &g, views);
     zr_arena_free(&scratch);
     if (status != ZR_OK) return status;
-    const struct zr_bounds bounds = zr_bounds_of(g.scene, team, cancel);
-    status = zr_camera_resolve(g.scene, &g.scene->views[0], &bounds, team, cancel, &camera, &faults);
-    if (status != ZR_OK) return zr_view_report(views, 0, status, &faults, error);
+    const struct zr_bounds bounds = zr_bounds_of(g.scene, run->team, run->cancel);
+    status = zr_camera_resolve(&finding, g.scene, &g.scene->views[0], &bounds, &camera);
+    if (status != ZR_OK) return zr_view_report(views, 0, status, &faults, run->error);
     views->camera = (struct zr_shared_camera){.is_still = true, .world_to_eye = camera.world_to_eye};
     if (!fits_size(given)) return ZR_OK;
     views->camera.xmag = 1.0f / camera.projection.m[0];

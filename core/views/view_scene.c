@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "render_request.h"
 #include "request/change.h"
 #include "scene/output.h"
@@ -91,31 +92,32 @@ static bool has_window_of(const struct zr_scene *a, const struct zr_scene *b)
     return a->views[0].width == b->views[0].width && a->views[0].height == b->views[0].height;
 }
 
-enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, struct zr_arena *arena,
-                             struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene **scene,
-                             struct zr_error *error)
+enum zr_status zr_view_scene(const struct zr_run *run, const struct zr_views *views, uint32_t number,
+                             const struct zr_scene **scene)
 {
     const struct zr_view_set *set = views->set;
     const struct zr_scene *changed = views->scene;
     if (set->kind == ZR_VIEW_SET_LIST && set->items[number].keys) {
         const struct zr_request change = {
-            .bytes = set->items[number].keys, .size = set->items[number].keys_size, .cancel = cancel};
+            .bytes = set->items[number].keys, .size = set->items[number].keys_size, .cancel = run->cancel};
         struct zr_error faults = {0};
-        const enum zr_status status = zr_scene_change(arena, team, views->kept, &change, &changed, &faults);
-        if (status != ZR_OK) return zr_view_report(views, number, status, &faults, error);
+        const struct zr_run reading = zr_run_reporting(run, &faults);
+        const enum zr_status status = zr_scene_change(&reading, views->kept, &change, &changed);
+        if (status != ZR_OK) return zr_view_report(views, number, status, &faults, run->error);
     }
     if (zr_view_set_is_animation(set)) {
         struct zr_error faults = {0};
-        const enum zr_status status = zr_scene_frame(arena, team, views->kept, number, cancel, &changed, &faults);
-        if (status != ZR_OK) return zr_view_report(views, number, status, &faults, error);
+        const struct zr_run reading = zr_run_reporting(run, &faults);
+        const enum zr_status status = zr_scene_frame(&reading, views->kept, number, &changed);
+        if (status != ZR_OK) return zr_view_report(views, number, status, &faults, run->error);
     }
-    struct zr_scene *made = zr_arena_copy(arena, changed, sizeof *made);
+    struct zr_scene *made = zr_arena_copy(run->arena, changed, sizeof *made);
     if (!made) return ZR_NO_MEMORY;
     made->sheet = views->scene->sheet;
     if (made->sheet.is_on && !has_window_of(made, views->scene)) {
         struct zr_error fault = {0};
         zr_error_add(&fault, ZR_BAD_SCENE, "/window", "the views of a sheet have one size, which follows from its own");
-        return zr_view_report(views, number, ZR_BAD_SCENE, &fault, error);
+        return zr_view_report(views, number, ZR_BAD_SCENE, &fault, run->error);
     }
     made->view_set = NULL;
     made->tables = views->tables;
@@ -128,7 +130,7 @@ enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, stru
     if (made->sheet.is_on) {
         made->views[0].width = (uint32_t)views->layout.width;
         made->views[0].height = (uint32_t)views->layout.height;
-        make_outputs_plain(arena, number, &made->views[0]);
+        make_outputs_plain(run->arena, number, &made->views[0]);
     }
     zr_view_set_pose(made, set, number, &views->camera, &made->views[0]);
     *scene = made;

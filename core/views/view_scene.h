@@ -2,12 +2,12 @@
 #ifndef ZR_VIEW_SCENE_H
 #define ZR_VIEW_SCENE_H
 
+#include "base/run.h"
 #include "views/views.h"
 
 /* Makes the scene of view `number`, in `arena`. Errors are at its place in the request. */
-enum zr_status zr_view_scene(const struct zr_views *views, uint32_t number, struct zr_arena *arena,
-                             struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene **scene,
-                             struct zr_error *error);
+enum zr_status zr_view_scene(const struct zr_run *run, const struct zr_views *views, uint32_t number,
+                             const struct zr_scene **scene);
 
 /* True if the view has the parts of the scene as read. */
 bool zr_view_shares_parts(const struct zr_view_set *set, uint32_t number);

@@ -12,6 +12,7 @@
 #ifndef ZR_VIEWS_H
 #define ZR_VIEWS_H
 
+#include "base/run.h"
 #include "cost/cost.h"
 #include "request/encode.h"
 #include "scene/camera/view_set.h"
@@ -43,8 +44,8 @@ struct zr_views {
 };
 
 /* Reads a scene as zr_scene_read does. */
-enum zr_status zr_views_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                             const struct zr_limits *limits, struct zr_views *views, struct zr_error *error);
+enum zr_status zr_views_read(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
+                             struct zr_views *views);
 
 /* Returns the views of a kept scene. */
 struct zr_views zr_views_of_kept(const struct zr_kept *kept);
@@ -52,8 +53,7 @@ struct zr_views zr_views_of_kept(const struct zr_kept *kept);
 /* Checks all views, finds the camera that they share, and predicts their cost. `views->set` is not NULL. Errors: those
  * of each view, at its place such as /views/3/view/eye; ZR_BAD_SCENE if views have the same name, or more pixels
  * together than limits.view_pixels_max. */
-enum zr_status zr_views_plan(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
-                             const struct zr_cancel *cancel, struct zr_error *error);
+enum zr_status zr_views_plan(const struct zr_run *run, struct zr_views *views);
 
 /* A view and its files, whose names are channel.extension. They are valid until `take` returns. */
 struct zr_drawn_view {
@@ -72,15 +72,13 @@ struct zr_views_taker {
 
 /* Draws and encodes all views, and hands them on in order, on the thread of the call. No file is joined, not even on a
  * sheet. Drawing pauses while `take` runs. Errors: those of zr_render, zr_encode and `take`. */
-enum zr_status zr_views_draw_each(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
-                                  const struct zr_cancel *cancel, struct zr_views_taker taker, struct zr_error *error);
+enum zr_status zr_views_draw_each(const struct zr_run *run, struct zr_views *views, struct zr_views_taker taker);
 
 /* Draws and encodes all views. Files are NAME.channel.extension, one for each view and output, with these exceptions:
  * outputs with the encoding apng, and webp of a turntable or an animation, are one animation, and arrays (npy) of
  * windows of one size are one array, whose first axis is the number of the view. On a sheet, outputs with the channel
  * color are one picture, and info is that of the first view, with the places of all. Errors: those of zr_render and
  * zr_encode. */
-enum zr_status zr_views_draw(struct zr_arena *arena, struct zr_team *team, struct zr_views *views,
-                             const struct zr_cancel *cancel, struct zr_files *files, struct zr_error *error);
+enum zr_status zr_views_draw(const struct zr_run *run, struct zr_views *views, struct zr_files *files);
 
 #endif

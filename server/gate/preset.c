@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "input/query/query_text.h"
 #include "render_request.h"
 #include "views/views.h"
@@ -24,7 +25,8 @@ static enum zr_status read_with(const struct zr_request *query, enum zr_format f
     request.size = strlen(body);
     request.camera = request.animation = request.member = NULL;
     zr_arena_init(&arena, ARENA_BYTES);
-    const enum zr_status status = zr_views_read(&arena, NULL, &request, limits, &views, error);
+    const enum zr_status status =
+        zr_views_read(&(struct zr_run){.arena = &arena, .error = error}, &request, limits, &views);
     zr_arena_free(&arena);
     return status;
 }

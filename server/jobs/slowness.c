@@ -7,6 +7,8 @@
 #include "core.h"
 #include "render_request.h"
 
+#include "base/run.h"
+
 enum { ROUNDS = 5, ARENA_BYTES = 64 << 20 };
 static const double REFERENCE_MS = 5.0, BUDGET_MS = 100.0; /* a slow machine draws fewer than ROUNDS */
 
@@ -23,11 +25,11 @@ static double measure_ms(struct zr_arena *arena, struct zr_team *team)
     const struct zr_frame *frame;
     struct zr_answer answer;
     struct zr_error error = {.count = 0};
+    const struct zr_run run = {.arena = arena, .team = team, .error = &error};
     const int64_t begin_us = clock_thread_us();
     zr_arena_reset(arena, ARENA_BYTES);
-    if (zr_scene_read(arena, team, &request, &limits, &scene, &error) != ZR_OK ||
-        zr_render(arena, team, scene, NULL, NULL, &frame, &error) != ZR_OK ||
-        zr_encode(arena, team, scene, frame, NULL, &answer, &error) != ZR_OK)
+    if (zr_scene_read(&run, &request, &limits, &scene) != ZR_OK || zr_render(&run, scene, NULL, &frame) != ZR_OK ||
+        zr_encode(&run, scene, frame, &answer) != ZR_OK)
         return HUGE_VAL;
     return 1e-3 * (double)(clock_thread_us() - begin_us);
 }

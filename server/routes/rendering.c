@@ -7,6 +7,7 @@
 #include <strings.h>
 
 #include "assets.h"
+#include "base/run.h"
 #include "body.h"
 #include "clock.h"
 #include "cost/cost.h"
@@ -15,8 +16,8 @@
 #include "parts.h"
 #include "problem.h"
 #include "render_request.h"
-#include "scene/looks.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/looks.h"
 #include "scene/scene.h"
 #include "text.h"
 #include "views/views.h"
@@ -125,6 +126,12 @@ struct rendering {
     enum refusal busy;  /* reason why there can be no stream now */
 };
 
+/* Returns the run of steps that report to `error`. */
+static struct zr_run run_of(const struct rendering *r, struct zr_error *error)
+{
+    return (struct zr_run){.arena = r->arena, .team = r->service->team, .cancel = r->cancel, .error = error};
+}
+
 static double ms_since(int64_t *mark_us)
 {
     int64_t now = clock_us();
@@ -216,13 +223,13 @@ static bool has_many_faces_for_the_painter(const struct zr_scene *scene)
 static enum zr_status find_cost(struct rendering *r, struct zr_views *views, const struct zr_resolved_view **resolved,
                                 struct zr_error *error)
 {
-    struct zr_team *team = r->service->team;
+    const struct zr_run run = run_of(r, error);
     if (views->set) {
-        const enum zr_status status = zr_views_plan(r->arena, team, views, r->cancel, error);
+        const enum zr_status status = zr_views_plan(&run, views);
         r->cost = views->cost;
         return status;
     }
-    const enum zr_status status = zr_resolved_view_find(r->arena, team, views->scene, r->cancel, resolved, error);
+    const enum zr_status status = zr_resolved_view_find(&run, views->scene, resolved);
     if (status == ZR_OK || status == ZR_CANCELLED) r->cost = zr_scene_cost(views->scene, *resolved);
     return status;
 }
@@ -264,13 +271,13 @@ static enum zr_status draw_one(struct rendering *r, const struct zr_scene *scene
                                const struct zr_resolved_view *resolved, struct zr_answer *result,
                                struct zr_error *error)
 {
-    struct zr_team *team = r->service->team;
+    const struct zr_run run = run_of(r, error);
     const struct zr_frame *frame = NULL;
     int64_t mark = clock_us();
-    enum zr_status status = zr_render(r->arena, team, scene, resolved, r->cancel, &frame, error);
+    enum zr_status status = zr_render(&run, scene, resolved, &frame);
     r->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    status = zr_encode_files(r->arena, team, scene, frame, NULL, r->cancel, &r->files, error);
+    status = zr_encode_files(&run, scene, frame, NULL, &r->files);
     if (status == ZR_OK) status = join_files(r, scene, result, error);
     r->times->encode_ms = ms_since(&mark);
     return status;
@@ -280,8 +287,9 @@ static enum zr_status draw_one(struct rendering *r, const struct zr_scene *scene
 static enum zr_status draw_several(struct rendering *r, struct zr_views *views, struct zr_answer *result,
                                    struct zr_error *error)
 {
+    const struct zr_run run = run_of(r, error);
     int64_t mark = clock_us();
-    enum zr_status status = zr_views_draw(r->arena, r->service->team, views, r->cancel, &r->files, error);
+    enum zr_status status = zr_views_draw(&run, views, &r->files);
     r->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     status = join_files(r, views->scene, result, error);
@@ -323,12 +331,13 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
 /* Draws several views, and streams each. The time of drawing includes encoding, and no waits for the reader. */
 static enum zr_status stream_several(struct rendering *r, struct zr_views *views, struct zr_error *error)
 {
+    const struct zr_run run = run_of(r, error);
     struct stream *stream = r->request->stream;
     const struct zr_views_taker taker = {send_view, r};
     r->busy = stream_open(stream);
     if (r->busy) return ZR_CANCELLED;
     int64_t mark = clock_us();
-    const enum zr_status status = zr_views_draw_each(r->arena, r->service->team, views, r->cancel, taker, error);
+    const enum zr_status status = zr_views_draw_each(&run, views, taker);
     stream->held_bytes = r->arena->held; /* while the end of the body waits */
     r->times->render_ms = ms_since(&mark) - (double)stream->waited_us / 1000.0;
     return status;
@@ -350,11 +359,12 @@ static void answer_without_image(const struct rendering *r)
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,
                                 struct zr_error *error)
 {
+    const struct zr_run run = run_of(r, error);
     const struct service *service = r->service;
     struct zr_views views;
     const struct zr_resolved_view *resolved = NULL;
     int64_t mark = clock_us();
-    enum zr_status status = zr_views_read(r->arena, service->team, request, &service->limits, &views, error);
+    enum zr_status status = zr_views_read(&run, request, &service->limits, &views);
     if (status == ZR_OK) status = predict(r, &views, &resolved, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "base/team.h"
 #include "bench/input/formats.h"
 #include "bench/machine.h"
@@ -123,7 +124,9 @@ static bool run_round(void *context, struct series *series)
         const struct zr_scene *scene;
         zr_arena_reset(&contest->sides[i].arena, ARENA_BYTES);
         const double begin = now_ms();
-        if (zr_scene_read(&contest->sides[i].arena, contest->sides[i].team, &request, &limits, &scene, &error) != ZR_OK)
+        if (zr_scene_read(
+                &(struct zr_run){.arena = &contest->sides[i].arena, .team = contest->sides[i].team, .error = &error},
+                &request, &limits, &scene) != ZR_OK)
             return bench_complain("zr_scene_read: %s: %s", error.items[0].pointer, error.items[0].detail);
         series_add(&series[i], now_ms() - begin);
     }

@@ -1,13 +1,14 @@
 /* A lit mesh seen by a view that is fitted to it, as it is drawn when it is posted by itself, against the same unlit,
  * in the colours of the other tables, through the matrices that such a view comes to; and its depth map alone, for
  * which nothing need be lit, against its picture alone. */
+#include "base/run.h"
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/versus/sides.h"
 #include "scene/camera/camera.h"
-#include "scene/defaults.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/defaults.h"
 #include "support/pictures/look.h"
 
 enum { PLAIN, LIT, DEPTH, SIDES };
@@ -50,7 +51,8 @@ static bool take(struct ours *ours, const struct task *task, bool lit)
         return true;
     }
     const struct zr_bounds bounds = zr_bounds_of(&subject->scene, NULL, NULL);
-    if (zr_camera_resolve(&subject->scene, &subject->scene.views[0], &bounds, NULL, NULL, &camera, &error) != ZR_OK)
+    if (zr_camera_resolve(&(struct zr_run){.error = &error}, &subject->scene, &subject->scene.views[0], &bounds,
+                          &camera) != ZR_OK)
         return false;
     subject->scene.views[0].pose = ZR_POSE_MATRIX;
     subject->scene.views[0].projection = ZR_PROJECTION_MATRIX;

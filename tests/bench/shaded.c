@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/run.h"
 #include "reference/generate/batches.h"
 #include "reference/gl/look_twin.h"
 #include "reference/gl/reference_gl.h"
@@ -208,7 +209,9 @@ bool shaded_take(struct shaded *shaded, const struct zr_scene *scene)
     struct zr_error unresolved = {.status = ZR_OK};
     struct joined joined;
     shaded->scene = scene;
-    if (zr_resolved_view_find(&shaded->arena, NULL, scene, NULL, &resolved, &unresolved) != ZR_OK) return false;
+    if (zr_resolved_view_find(&(struct zr_run){.arena = &shaded->arena, .error = &unresolved}, scene, &resolved) !=
+        ZR_OK)
+        return false;
     shaded->camera = resolved->camera;
     if (!reference_resize(shaded->reference, scene->views[0].width, scene->views[0].height, false, &error) ||
         !keep_meshes(shaded, &joined) || !make_batches(shaded, &joined))

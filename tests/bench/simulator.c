@@ -3,13 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/versus/likeness.h"
+#include "base/run.h"
+#include "bench/http/service.h"
+#include "bench/http/wire.h"
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/http/service.h"
 #include "bench/shaded.h"
 #include "bench/simulator_scene.h"
-#include "bench/http/wire.h"
+#include "bench/versus/likeness.h"
 #include "core.h"
 #include "render_request.h"
 #include "scene/output.h"
@@ -54,7 +55,7 @@ static bool open_cameras(struct cameras *c, const struct document *document, boo
     struct zr_error error = {.status = ZR_OK};
     c->document = document;
     zr_arena_init(&c->arena, ARENA_BYTES);
-    if (zr_scene_read(&c->arena, NULL, &request, &limits, &c->scene, &error) != ZR_OK)
+    if (zr_scene_read(&(struct zr_run){.arena = &c->arena, .error = &error}, &request, &limits, &c->scene) != ZR_OK)
         return bench_complain("the scene: %s", error.count ? error.items[0].detail : "is not read");
     return wire_open(&c->wire, port) && shaded_open(&c->theirs, exact, 1) && shaded_take(&c->theirs, c->scene);
 }
@@ -92,7 +93,8 @@ static const struct zr_frame *render(struct cameras *c, const struct zr_scene *s
 {
     struct zr_error error = {.status = ZR_OK};
     const struct zr_frame *frame = NULL;
-    return zr_render(&c->arena, NULL, scene, NULL, NULL, &frame, &error) == ZR_OK ? frame : NULL;
+    return zr_render(&(struct zr_run){.arena = &c->arena, .error = &error}, scene, NULL, &frame) == ZR_OK ? frame
+                                                                                                          : NULL;
 }
 
 /* With what is compared beside. */
@@ -115,8 +117,8 @@ static bool is_answer_ours(struct cameras *c)
     struct zr_answer want;
     struct wire_answer got = {0};
     const struct zr_frame *frame = render(c, c->scene);
-    return frame && zr_encode(&c->arena, NULL, c->scene, frame, NULL, &want, &error) == ZR_OK && ask(c, &got) &&
-           got.size == want.size && memcmp(got.body, want.bytes, want.size) == 0;
+    return frame && zr_encode(&(struct zr_run){.arena = &c->arena, .error = &error}, c->scene, frame, &want) == ZR_OK &&
+           ask(c, &got) && got.size == want.size && memcmp(got.body, want.bytes, want.size) == 0;
 }
 
 /* Depths that are more than a thousandth off, or ids that differ. */

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/run.h"
 #include "support/pictures/gallery.h"
 #include "support/pictures/look_scenes.h"
 #include "support/simd_check.h"
@@ -27,7 +28,8 @@ static bool draw(struct zr_arena *arena, struct zr_team *team, int number, const
     const struct zr_scene *scene = gallery_scene(arena, number, window[0], window[1]);
     const struct zr_frame *frame = NULL;
     struct zr_error error = {.count = 0};
-    if (!scene || zr_render(arena, team, scene, NULL, NULL, &frame, &error) != ZR_OK) {
+    if (!scene ||
+        zr_render(&(struct zr_run){.arena = arena, .team = team, .error = &error}, scene, NULL, &frame) != ZR_OK) {
         fprintf(stderr, "zraster-cross: %s: %s\n", gallery_names[number],
                 error.count ? error.items[0].detail : "no memory");
         return false;
@@ -45,7 +47,8 @@ static bool draw_look(struct zr_arena *arena, struct zr_team *team, int number, 
     const struct zr_scene *scene = look_scene(arena, number, look, LOOK_WIDTH, LOOK_HEIGHT);
     const struct zr_frame *frame = NULL;
     struct zr_error error = {.count = 0};
-    if (!scene || zr_render(arena, team, scene, NULL, NULL, &frame, &error) != ZR_OK) {
+    if (!scene ||
+        zr_render(&(struct zr_run){.arena = arena, .team = team, .error = &error}, scene, NULL, &frame) != ZR_OK) {
         fprintf(stderr, "zraster-cross: %s: %s\n", look->name, error.count ? error.items[0].detail : "no memory");
         return false;
     }

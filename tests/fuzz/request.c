@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "cost/cost.h"
 #include "fuzz/fuzz.h"
 #include "scene/camera/resolved_view.h"
@@ -57,7 +58,7 @@ static enum zr_status draw(struct zr_arena *arena, const struct zr_scene *scene,
                            const struct zr_resolved_view *resolved, const struct zr_frame **frame)
 {
     struct zr_error error = {0};
-    enum zr_status status = zr_render(arena, NULL, scene, resolved, NULL, frame, &error);
+    enum zr_status status = zr_render(&(struct zr_run){.arena = arena, .error = &error}, scene, resolved, frame);
     if (status != ZR_OK) expect_message(status, &error);
     return status;
 }
@@ -98,7 +99,7 @@ static void go_on(struct zr_arena *arena, const struct zr_scene *scene)
     const struct zr_resolved_view *resolved = NULL;
     const struct zr_frame *frame;
     struct zr_answer answer;
-    enum zr_status status = zr_resolved_view_find(arena, NULL, scene, NULL, &resolved, &error);
+    enum zr_status status = zr_resolved_view_find(&(struct zr_run){.arena = arena, .error = &error}, scene, &resolved);
     if (status != ZR_OK) {
         expect_message(status, &error);
         return;
@@ -108,7 +109,7 @@ static void go_on(struct zr_arena *arena, const struct zr_scene *scene)
     if (corners_of(scene) > (scene->algorithm == ZR_ALGORITHM_PAINTER ? CORNERS_MAX_PAINTER : CORNERS_MAX)) return;
     if (draw(arena, scene, resolved, &frame) != ZR_OK) return;
     compare_algorithms(arena, scene, resolved, frame);
-    status = zr_encode(arena, NULL, scene, frame, NULL, &answer, &error);
+    status = zr_encode(&(struct zr_run){.arena = arena, .error = &error}, scene, frame, &answer);
     if (status != ZR_OK) {
         expect_message(status, &error);
         return;
@@ -128,8 +129,8 @@ static void go_on_with_views(struct zr_arena *arena, struct zr_views *views)
     enum zr_status status = ZR_OK;
     const uint64_t most = views->scene->algorithm == ZR_ALGORITHM_PAINTER ? CORNERS_MAX_PAINTER : CORNERS_MAX;
     if (corners_of(views->scene) * views->set->count > most) return;
-    status = zr_views_plan(arena, NULL, views, NULL, &error);
-    if (status == ZR_OK) status = zr_views_draw(arena, NULL, views, NULL, &files, &error);
+    status = zr_views_plan(&(struct zr_run){.arena = arena, .error = &error}, views);
+    if (status == ZR_OK) status = zr_views_draw(&(struct zr_run){.arena = arena, .error = &error}, views, &files);
     if (status == ZR_OK) status = zr_files_answer(arena, &files, views->scene, &answer, &error);
     if (status != ZR_OK) {
         expect_message(status, &error);
@@ -147,7 +148,7 @@ void fuzz_request(const struct zr_request *request)
     struct zr_views views;
     fuzz_accepted = false;
     if (!arena.ceiling) zr_arena_init(&arena, FUZZ_ARENA_BYTES);
-    enum zr_status status = zr_views_read(&arena, NULL, request, &limits, &views, &error);
+    enum zr_status status = zr_views_read(&(struct zr_run){.arena = &arena, .error = &error}, request, &limits, &views);
     if (status != ZR_OK)
         expect_message(status, &error);
     else if (views.set)

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "core.h"
 #include "format_rows.h"
 #include "input/scene/json_objects.h"
@@ -35,7 +36,7 @@ static bool ask(const char *before, const char *after, char names[ZR_DETAIL_SIZE
     snprintf(text, sizeof text, "%s{\"%s\":1}%s", before, unknown, after);
     const struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = text, .size = strlen(text)};
     zr_arena_init(&arena, (size_t)1 << 24);
-    zr_scene_read(&arena, NULL, &request, &limits, &scene, &error);
+    zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene);
     zr_arena_free(&arena);
     for (size_t i = 0; i < error.count && i < ZR_ERROR_ITEMS; i++) {
         const char *found = strstr(error.items[i].detail, names_begin);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "cancel_check.h"
 #include "render/trace.h"
 #include "scene/looks.h"
@@ -23,7 +24,8 @@ static void assert_ends_soon(const struct zr_scene *scene)
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
     begin(&later, RAISED_MS);
-    assert_ended_soon(&later, zr_render(&arena, NULL, scene, NULL, &later.cancel, &frame, &error));
+    assert_ended_soon(&later, zr_render(&(struct zr_run){.arena = &arena, .cancel = &later.cancel, .error = &error},
+                                        scene, NULL, &frame));
 }
 
 static uint32_t *counting(uint32_t count)
@@ -141,8 +143,10 @@ TEST(masks_of_large_instances_stop)
         test.scene.views[0].output_count = 2;
         if (share < 0.1) {
             const double before = now_ms(CLOCK_THREAD_CPUTIME_ID);
-            assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, NULL, &frame, &error), ZR_OK);
-            assert_int_equal(zr_encode(&arena, NULL, &test.scene, frame, NULL, &answer, &error), ZR_OK);
+            assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, NULL, &frame),
+                             ZR_OK);
+            assert_int_equal(zr_encode(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, frame, &answer),
+                             ZR_OK);
             took_ms = fmin(took_ms, now_ms(CLOCK_THREAD_CPUTIME_ID) - before);
             print_message("%d masks of %d pixels: %.0f ms\n", INSTANCES, WINDOW * WINDOW, took_ms);
             zr_arena_free(&arena);
@@ -150,8 +154,11 @@ TEST(masks_of_large_instances_stop)
         }
         struct later later;
         begin(&later, share * took_ms);
-        enum zr_status status = zr_render(&arena, NULL, &test.scene, NULL, &later.cancel, &frame, &error);
-        if (status == ZR_OK) status = zr_encode(&arena, NULL, &test.scene, frame, &later.cancel, &answer, &error);
+        enum zr_status status = zr_render(&(struct zr_run){.arena = &arena, .cancel = &later.cancel, .error = &error},
+                                          &test.scene, NULL, &frame);
+        if (status == ZR_OK)
+            status = zr_encode(&(struct zr_run){.arena = &arena, .cancel = &later.cancel, .error = &error}, &test.scene,
+                               frame, &answer);
         if (status == ZR_OK) /* done before, on a machine that is less busy now */
             end(&later);
         else
@@ -182,17 +189,24 @@ TEST(traces_stop)
         zr_arena_init(&arena, (size_t)1 << 30);
         test.scene.algorithm = (enum zr_algorithm)a;
         test.scene.views[0].output_count = 1;
-        assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, NULL, &drawn, &error), ZR_OK);
+        assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, NULL, &drawn),
+                         ZR_OK);
         test.scene.views[0].output_count = 2;
         struct zr_frame frame = *drawn;
         const double before = now_ms(CLOCK_THREAD_CPUTIME_ID);
-        assert_int_equal(zr_trace_make(&arena, &arena, NULL, &test.scene, NULL, &frame, &error), ZR_OK);
+        assert_int_equal(
+            zr_trace_make(&(struct zr_run){.arena = &arena, .scratch = &arena, .error = &error}, &test.scene, &frame),
+            ZR_OK);
         const double took_ms = now_ms(CLOCK_THREAD_CPUTIME_ID) - before;
         print_message("%s: %.0f ms\n", algorithm_words[a], took_ms);
         for (double share = 0.1; share < 0.6; share += 0.2) {
             struct later later;
             begin(&later, share * took_ms);
-            assert_ended_soon(&later, zr_trace_make(&arena, &arena, NULL, &test.scene, &later.cancel, &frame, &error));
+            assert_ended_soon(
+                &later,
+                zr_trace_make(
+                    &(struct zr_run){.arena = &arena, .scratch = &arena, .cancel = &later.cancel, .error = &error},
+                    &test.scene, &frame));
         }
         zr_arena_free(&arena);
     }
@@ -320,7 +334,8 @@ static bool stops_amid(uint32_t cells, double after_ms, double *taken_ms)
     make_ground(cells);
     begin(&later, after_ms);
     const double begin_ms = now_ms(later.clock);
-    const enum zr_status status = zr_render(&arena, NULL, &test.scene, NULL, &later.cancel, &frame, &error);
+    const enum zr_status status = zr_render(&(struct zr_run){.arena = &arena, .cancel = &later.cancel, .error = &error},
+                                            &test.scene, NULL, &frame);
     *taken_ms = now_ms(later.clock) - begin_ms;
     if (status != ZR_OK) {
         assert_ended_soon(&later, status);

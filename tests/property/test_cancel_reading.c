@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "cancel_check.h"
 #include "input/images/image_read.h"
 #include "output/images/png.h"
@@ -31,7 +32,8 @@ static void reading_stops(const char *begin_text, const char *unit)
         begin(&later, after_ms);
         const struct zr_request request = {
             .format = ZR_FORMAT_JSON, .bytes = text, .size = SIZE, .cancel = &later.cancel};
-        assert_ended_soon(&later, zr_scene_read(&arena, NULL, &request, &limits, &scene, &error));
+        assert_ended_soon(&later,
+                          zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene));
         zr_arena_reset(&arena, SIZE_MAX);
     }
     zr_arena_free(&arena);
@@ -72,7 +74,8 @@ TEST(comparison_of_patterns_with_names_stops)
     begin(&later, 2 * RAISED_MS);
     const struct zr_request request = {
         .format = ZR_FORMAT_JSON, .bytes = text, .size = (size_t)(at - text), .cancel = &later.cancel};
-    assert_ended_soon(&later, zr_scene_read(&arena, NULL, &request, &limits, &scene, &error));
+    assert_ended_soon(&later,
+                      zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene));
     assert_int_equal(error.count, 1); /* there is no fault that no part has the name */
     zr_arena_free(&arena);
     free(text);
@@ -103,7 +106,8 @@ TEST(reading_of_large_arrays_stops)
                                                .assets = &asset,
                                                .asset_count = 1,
                                                .cancel = &later.cancel};
-            assert_ended_soon(&later, zr_scene_read(&arena, NULL, &request, &limits, &scene, &error));
+            assert_ended_soon(
+                &later, zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene));
             zr_arena_reset(&arena, 0);
         }
     zr_arena_free(&arena);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "core.h"
 #include "render_request.h"
 #include "scene/output.h"
@@ -41,16 +42,17 @@ static struct picture draw(const char *text, const struct zr_asset *assets, size
     const struct zr_scene *scene;
     const struct zr_frame *frame;
     struct picture picture;
-    if (zr_scene_read(&arena, NULL, &request, &limits, &scene, &error) != ZR_OK)
+    if (zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene) != ZR_OK)
         fail_msg("%s: %s", error.items[0].pointer, error.items[0].detail);
-    assert_int_equal(zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .error = &error}, scene, NULL, &frame), ZR_OK);
     for (int i = 0; i < CHANNELS; i++) {
         struct zr_view view = *frame->view;
         struct zr_frame one = *frame;
         view.outputs = &OUTPUTS[i];
         view.output_count = 1;
         one.view = &view;
-        assert_int_equal(zr_encode(&arena, NULL, scene, &one, NULL, &picture.channels[i], &error), ZR_OK);
+        assert_int_equal(
+            zr_encode(&(struct zr_run){.arena = &arena, .error = &error}, scene, &one, &picture.channels[i]), ZR_OK);
     }
     picture.frame = frame;
     picture.covered = frame->covered_pixels;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "core.h"
 #include "render_request.h"
 #include "support/files.h"
@@ -32,16 +33,17 @@ static struct answer answer_of(zraster_status status, const void *bytes, size_t 
 static enum zr_status draw_views(struct zr_views *views, struct zr_answer *answer, struct zr_error *error)
 {
     struct zr_files files;
-    enum zr_status status = zr_views_plan(&arena, NULL, views, NULL, error);
-    if (status == ZR_OK) status = zr_views_draw(&arena, NULL, views, NULL, &files, error);
+    enum zr_status status = zr_views_plan(&(struct zr_run){.arena = &arena, .error = error}, views);
+    if (status == ZR_OK) status = zr_views_draw(&(struct zr_run){.arena = &arena, .error = error}, views, &files);
     return status == ZR_OK ? zr_files_answer(&arena, &files, views->scene, answer, error) : status;
 }
 
 static enum zr_status draw_one(const struct zr_scene *scene, struct zr_answer *answer, struct zr_error *error)
 {
     const struct zr_frame *frame;
-    const enum zr_status status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, error);
-    return status == ZR_OK ? zr_encode(&arena, NULL, scene, frame, NULL, answer, error) : status;
+    const enum zr_status status = zr_render(&(struct zr_run){.arena = &arena, .error = error}, scene, NULL, &frame);
+    return status == ZR_OK ? zr_encode(&(struct zr_run){.arena = &arena, .error = error}, scene, frame, answer)
+                           : status;
 }
 
 /* Draws by the core alone. */
@@ -53,7 +55,8 @@ static struct answer core_answer(const char *text, size_t size)
     struct zr_answer answer;
     struct zr_error error = {0};
     zr_arena_reset(&arena, SIZE_MAX);
-    enum zr_status status = zr_views_read(&arena, NULL, &request, &limits, &views, &error);
+    enum zr_status status =
+        zr_views_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &views);
     if (status == ZR_OK)
         status = views.set ? draw_views(&views, &answer, &error) : draw_one(views.scene, &answer, &error);
     if (status != ZR_OK) return answer_of((zraster_status)status, error.items[0].detail, strlen(error.items[0].detail));

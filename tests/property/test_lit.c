@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "geometry/build.h"
 #include "scene/camera/resolved_view.h"
 #include "shade/draw_attributes.h"
@@ -36,11 +37,14 @@ static struct zr_scene_attributes surfaces_of(bool colored, bool singly, struct 
         test.scene.views[0].outputs++;
         test.scene.views[0].output_count--;
     }
-    assert_int_equal(zr_camera_resolve(&test.scene, &test.scene.views[0], NULL, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(
+        zr_camera_resolve(&(struct zr_run){.error = &error}, &test.scene, &test.scene.views[0], NULL, &camera), ZR_OK);
     const struct zr_attribute_wants wants = {.colors = colored};
-    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, &window, NULL, singly, geometry), ZR_OK);
-    assert_int_equal(zr_scene_attributes_make(&arena, NULL, &test.scene, &camera, geometry, &wants, NULL, &surfaces),
-                     ZR_OK);
+    assert_int_equal(
+        zr_geometry_build(&(struct zr_run){.arena = &arena}, &test.scene, &camera, &window, singly, geometry), ZR_OK);
+    assert_int_equal(
+        zr_scene_attributes_make(&(struct zr_run){.arena = &arena}, &test.scene, &camera, geometry, &wants, &surfaces),
+        ZR_OK);
     return surfaces;
 }
 
@@ -74,11 +78,13 @@ TEST(points_are_there_though_their_making_was_cancelled)
     scene_of_triangles(&test, WIDTH, HEIGHT, p, 1);
     test.material.shading = ZR_SHADING_PHONG;
     const struct zr_attribute_wants wants = {.colors = true};
-    assert_int_equal(zr_camera_resolve(&test.scene, &test.scene.views[0], NULL, NULL, NULL, &camera, &error), ZR_OK);
-    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, &window, NULL, false, &geometry), ZR_OK);
     assert_int_equal(
-        zr_scene_attributes_make(&arena, NULL, &test.scene, &camera, &geometry, &wants, &cancel, &surfaces),
-        ZR_CANCELLED);
+        zr_camera_resolve(&(struct zr_run){.error = &error}, &test.scene, &test.scene.views[0], NULL, &camera), ZR_OK);
+    assert_int_equal(
+        zr_geometry_build(&(struct zr_run){.arena = &arena}, &test.scene, &camera, &window, false, &geometry), ZR_OK);
+    assert_int_equal(zr_scene_attributes_make(&(struct zr_run){.arena = &arena, .cancel = &cancel}, &test.scene,
+                                              &camera, &geometry, &wants, &surfaces),
+                     ZR_CANCELLED);
     assert_non_null(surfaces.of_draw[0].attributes[ZR_ATTRIBUTE_POINT].values);
     zr_arena_free(&arena);
 }

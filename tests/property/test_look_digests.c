@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "support/isas.h"
 #include "support/pictures/look_scenes.h"
 #include "support/pictures/png.h"
@@ -51,7 +52,8 @@ static uint64_t draw(struct zr_team *team, const char *name, int number)
     assert_non_null(look);
     zr_arena_init(&arena, (size_t)1 << 28);
     const struct zr_scene *scene = look_scene(&arena, number, look, LOOK_WIDTH, LOOK_HEIGHT);
-    assert_int_equal(zr_render(&arena, team, scene, NULL, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .team = team, .error = &error}, scene, NULL, &frame),
+                     ZR_OK);
     write_picture(name, look_scene_names[number], frame);
     const uint64_t digest = look_digest(frame);
     zr_arena_free(&arena);

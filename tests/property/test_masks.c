@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "output/masks.h"
 #include "render_request.h"
 #include "scene/camera/resolved_view.h"
@@ -26,7 +27,8 @@ static const struct zr_frame *draw(const struct zr_scene *scene, const struct zr
     drawn->views[0].outputs = outputs;
     drawn->views[0].output_count = output_count;
     view->view = &drawn->views[0];
-    assert_int_equal(zr_render(&arena, team, drawn, view, NULL, &frame, &faults), ZR_OK);
+    assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .team = team, .error = &faults}, drawn, view, &frame),
+                     ZR_OK);
     return frame;
 }
 
@@ -173,7 +175,8 @@ static size_t hidden_in_part, culled;
 static void check_scene(const char *path, const struct zr_scene *scene, struct zr_team *team)
 {
     const struct zr_resolved_view *resolved;
-    assert_int_equal(zr_resolved_view_find(&arena, NULL, scene, NULL, &resolved, &faults), ZR_OK);
+    assert_int_equal(zr_resolved_view_find(&(struct zr_run){.arena = &arena, .error = &faults}, scene, &resolved),
+                     ZR_OK);
     const struct zr_frame *frame = draw(scene, resolved, 2, team);
     uint32_t next = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
@@ -200,7 +203,8 @@ static void check_file(const char *path, void *team)
     char *bytes = file_read(path, &request.size);
     zr_arena_init(&arena, (size_t)1 << 31);
     request.bytes = bytes;
-    assert_int_equal(zr_scene_read(&arena, NULL, &request, &limits, &scene, &faults), ZR_OK);
+    assert_int_equal(zr_scene_read(&(struct zr_run){.arena = &arena, .error = &faults}, &request, &limits, &scene),
+                     ZR_OK);
     struct zr_scene drawn = *scene;
     const uint32_t width = drawn.views[0].width, height = drawn.views[0].height;
     drawn.algorithm = ZR_ALGORITHM_HALFSPACE;

@@ -1,6 +1,7 @@
 /* With any limit of memory, a request is rendered or fails for lack of memory, never for a fault of its scene. */
 #include <string.h>
 
+#include "base/run.h"
 #include "core.h"
 #include "render_request.h"
 #include "support/input/mtl_pictures.h"
@@ -97,9 +98,9 @@ static enum zr_status serve(const struct zr_request *request, size_t ceiling, st
     struct zr_answer answer;
     zr_arena_reset(&arena, MOST);
     arena.ceiling = ceiling;
-    enum zr_status status = zr_scene_read(&arena, NULL, request, &limits, &scene, error);
-    if (status == ZR_OK) status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, error);
-    if (status == ZR_OK) status = zr_encode(&arena, NULL, scene, frame, NULL, &answer, error);
+    enum zr_status status = zr_scene_read(&(struct zr_run){.arena = &arena, .error = error}, request, &limits, &scene);
+    if (status == ZR_OK) status = zr_render(&(struct zr_run){.arena = &arena, .error = error}, scene, NULL, &frame);
+    if (status == ZR_OK) status = zr_encode(&(struct zr_run){.arena = &arena, .error = error}, scene, frame, &answer);
     return status;
 }
 

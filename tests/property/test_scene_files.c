@@ -4,10 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "render_request.h"
-#include "support/pictures/digests.h"
 #include "support/files.h"
 #include "support/geometries.h"
+#include "support/pictures/digests.h"
 #include "support/scenes.h"
 #include "support/tests.h"
 
@@ -37,7 +38,7 @@ static struct zr_scene read_file(const char *path)
     struct zr_limits limits = zr_limits_default();
     struct zr_error error = {.count = 0};
     const struct zr_scene *scene;
-    if (zr_scene_read(&arena, NULL, &request, &limits, &scene, &error) != ZR_OK)
+    if (zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene) != ZR_OK)
         fail_msg("%s: %s %s", path, error.items[0].pointer, error.items[0].detail);
     struct zr_scene all = *scene;
     all.views[0].outputs = outputs;

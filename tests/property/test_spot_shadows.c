@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "render_request.h"
 #include "support/random.h"
 #include "support/scenes.h"
@@ -21,7 +22,7 @@ static const uint8_t *draw(void)
     const struct zr_limits limits = zr_limits_default();
     struct zr_error error = {.count = 0};
     const struct zr_scene *scene;
-    if (zr_scene_read(&arena, NULL, &request, &limits, &scene, &error) != ZR_OK)
+    if (zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene) != ZR_OK)
         fail_msg("%s %s: %s", error.items[0].pointer, error.items[0].detail, text);
     return scene_render(&arena, NULL, scene)->color;
 }

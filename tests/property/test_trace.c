@@ -6,13 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "raster/textbook/trace.h"
 #include "render_request.h"
 #include "scene/validate.h"
 #include "support/files.h"
 #include "support/geometries.h"
-#include "support/random.h"
 #include "support/pictures/replay.h"
+#include "support/random.h"
 #include "support/scenes.h"
 #include "support/tests.h"
 
@@ -31,7 +32,7 @@ static const struct zr_scene *read_text(const char *text, size_t size)
     const struct zr_limits limits = zr_limits_default();
     const struct zr_scene *scene;
     faults.count = 0;
-    if (zr_scene_read(&arena, NULL, &request, &limits, &scene, &faults) != ZR_OK)
+    if (zr_scene_read(&(struct zr_run){.arena = &arena, .error = &faults}, &request, &limits, &scene) != ZR_OK)
         fail_msg("%s %s: %.200s", faults.items[0].pointer, faults.items[0].detail, text);
     return scene;
 }
@@ -44,8 +45,10 @@ static const char *trace_of(struct zr_scene *scene, struct zr_team *team)
     scene->views[0].outputs = &outputs[2];
     scene->views[0].output_count = 1;
     faults.count = 0;
-    if (zr_render(&arena, team, scene, NULL, NULL, &frame, &faults) != ZR_OK) return NULL;
-    assert_int_equal(zr_encode(&arena, team, scene, frame, NULL, &answer, &faults), ZR_OK);
+    if (zr_render(&(struct zr_run){.arena = &arena, .team = team, .error = &faults}, scene, NULL, &frame) != ZR_OK)
+        return NULL;
+    assert_int_equal(
+        zr_encode(&(struct zr_run){.arena = &arena, .team = team, .error = &faults}, scene, frame, &answer), ZR_OK);
     assert_string_equal(answer.content_type, "application/json");
     char *text = zr_arena_alloc(&arena, answer.size + 1, 1);
     assert_non_null(text);

@@ -8,6 +8,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "base/run.h"
 #include "input/formats/formats.h"
 #include "input/text/names.h"
 #include "reference/gl/look_twin.h"
@@ -81,8 +82,9 @@ static bool open_scene(struct zr_arena *arena, struct zr_scene *scene, struct zr
     const struct zr_scene *drawn;
     struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
     if (scene->sections.count == 0) return true;
-    if (!frame || zr_resolved_view_find(arena, NULL, scene, NULL, &resolved, error) != ZR_OK ||
-        zr_render_sections(arena, arena, NULL, scene, resolved, NULL, frame, &drawn, error) != ZR_OK)
+    if (!frame || zr_resolved_view_find(&(struct zr_run){.arena = arena, .error = error}, scene, &resolved) != ZR_OK ||
+        zr_render_sections(&(struct zr_run){.arena = arena, .scratch = arena, .error = error}, scene, resolved, frame,
+                           &drawn) != ZR_OK)
         return false;
     *scene = *drawn;
     scene->sections.count = 0;
@@ -100,7 +102,8 @@ static bool remove_lens(struct zr_arena *arena, struct zr_scene *scene, struct z
     struct zr_lens_drawing drawing;
     struct zr_view *view = &scene->views[0];
     if (view->lens.model == ZR_LENS_NONE) return true;
-    if (zr_resolved_view_find(arena, NULL, scene, NULL, &resolved, error) != ZR_OK) return false;
+    if (zr_resolved_view_find(&(struct zr_run){.arena = arena, .error = error}, scene, &resolved) != ZR_OK)
+        return false;
     zr_lens_drawing_open(scene, resolved, &drawing);
     *scene = drawing.scene;
     view->lens.model = ZR_LENS_NONE;
@@ -126,7 +129,8 @@ static enum verdict check_bytes(const struct checking *c, struct zr_arena *arena
         const struct zr_scene *scene;
         if (all) request->preset = zr_preset_names.words[preset];
         zr_arena_reset(arena, scene_ceiling);
-        if (zr_scene_read(arena, NULL, request, &limits, &scene, &error) != ZR_OK) return refused(c, path, &error);
+        if (zr_scene_read(&(struct zr_run){.arena = arena, .error = &error}, request, &limits, &scene) != ZR_OK)
+            return refused(c, path, &error);
         struct zr_scene bare = *scene; /* no colour bar, which Mesa does not draw */
         bare.color_bar.is_on = false;
         if (!remove_lens(arena, &bare, &error) || !open_scene(arena, &bare, &error)) return refused(c, path, &error);

@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "base/run.h"
 #include "scene/looks.h"
 
 static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
@@ -75,7 +76,8 @@ static const struct zr_frame *render(struct zr_arena *arena, struct zr_team *tea
     asked.views[0].outputs = wanted;
     struct zr_error error = {.status = ZR_OK};
     const struct zr_frame *frame = NULL;
-    enum zr_status status = zr_render(arena, team, &asked, NULL, NULL, &frame, &error);
+    enum zr_status status =
+        zr_render(&(struct zr_run){.arena = arena, .team = team, .error = &error}, &asked, NULL, &frame);
     bool whole = status == ZR_OK && frame;
     for (uint32_t i = 0; whole && i < count; i++)
         whole = frame->channels[wanted[i].channel] != NULL;

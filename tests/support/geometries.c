@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/run.h"
 #include "support/cmocka_all.h"
 
 const char *const algorithm_words[ZR_ALGORITHM_COUNT] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
@@ -110,8 +111,8 @@ static enum zr_status draw_tiles(struct zr_arena *arena, const struct zr_geometr
     size_t pixels = (size_t)samples->width * samples->height;
     samples->depth = zr_arena_alloc(arena, pixels, sizeof *samples->depth);
     samples->owner = zr_arena_alloc(arena, pixels, sizeof *samples->owner);
-    enum zr_status status =
-        zr_binned_scene_make(arena, NULL, geometry, NULL, samples->width, samples->height, NULL, NULL, &visible);
+    enum zr_status status = zr_binned_scene_make(&(struct zr_run){.arena = arena}, geometry, NULL, samples->width,
+                                                 samples->height, NULL, &visible);
     for (uint32_t t = 0; status == ZR_OK && t < zr_tile_count(samples->width, samples->height); t++) {
         zr_visibility_tile(&visible.visibility, t, NULL, &tile);
         if (!tile.is_empty) visible.halfspace->flush(&tile);
@@ -130,9 +131,9 @@ struct zr_samples geometry_draw(struct zr_arena *arena, const struct test_geomet
 {
     struct zr_samples samples = {.width = width, .height = height};
     zr_visibility_fn *visibility = zr_visibility_of(algorithm);
-    enum zr_status status =
-        visibility ? zr_visibility_window(arena, &test->geometry, visibility, width, height, NULL, NULL, &samples)
-                   : draw_tiles(arena, &test->geometry, &samples);
+    enum zr_status status = visibility ? zr_visibility_window(&(struct zr_run){.arena = arena}, &test->geometry,
+                                                              visibility, width, height, NULL, &samples)
+                                       : draw_tiles(arena, &test->geometry, &samples);
     assert_int_equal(status, ZR_OK);
     return samples;
 }

@@ -2,8 +2,9 @@
 
 #include <string.h>
 
-#include "scene/looks.h"
+#include "base/run.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/looks.h"
 #include "support/cmocka_all.h"
 
 void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,
@@ -61,7 +62,8 @@ const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team
 {
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame = NULL;
-    enum zr_status status = zr_render(arena, team, scene, NULL, NULL, &frame, &error);
+    enum zr_status status =
+        zr_render(&(struct zr_run){.arena = arena, .team = team, .error = &error}, scene, NULL, &frame);
     if (status != ZR_OK) fail_msg("status %d: %s", (int)status, error.count ? error.items[0].detail : "");
     return frame;
 }
@@ -71,7 +73,8 @@ struct zr_answer scene_encode(struct zr_arena *arena, struct zr_team *team, cons
     struct zr_answer answer;
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame = scene_render(arena, team, scene);
-    enum zr_status status = zr_encode(arena, team, scene, frame, NULL, &answer, &error);
+    enum zr_status status =
+        zr_encode(&(struct zr_run){.arena = arena, .team = team, .error = &error}, scene, frame, &answer);
     if (status != ZR_OK) fail_msg("status %d: %s", (int)status, error.count ? error.items[0].detail : "");
     return answer;
 }
@@ -82,7 +85,7 @@ struct zr_cost scene_cost(const struct zr_scene *scene)
     const struct zr_resolved_view *resolved = NULL;
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 20);
-    enum zr_status status = zr_resolved_view_find(&arena, NULL, scene, NULL, &resolved, &error);
+    enum zr_status status = zr_resolved_view_find(&(struct zr_run){.arena = &arena, .error = &error}, scene, &resolved);
     if (status != ZR_OK) fail_msg("status %d: %s", (int)status, error.count ? error.items[0].detail : "");
     const struct zr_cost cost = zr_scene_cost(scene, resolved);
     zr_arena_free(&arena);

@@ -17,6 +17,7 @@
 #include "scene/output.h"
 #include "support/files.h"
 
+#include "base/run.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 
@@ -96,17 +97,17 @@ static enum zr_status draw(struct zr_arena *arena, const struct zr_request *requ
     const struct zr_scene *read;
     const struct zr_frame *frame;
     struct zr_answer answer;
-    enum zr_status status = zr_scene_read(arena, NULL, request, &limits, &read, error);
+    enum zr_status status = zr_scene_read(&(struct zr_run){.arena = arena, .error = error}, request, &limits, &read);
     if (status != ZR_OK) return status;
     struct zr_scene scene = *read;
     scene.views[0].output_count = list_outputs(read);
     scene.views[0].outputs = outputs;
     if (strcmp(left, "position") == 0) leave_position(arena, &scene);
     if (strcmp(left, "color") == 0) leave_color(arena, &scene);
-    status = zr_render(arena, NULL, &scene, NULL, NULL, &frame, error);
+    status = zr_render(&(struct zr_run){.arena = arena, .error = error}, &scene, NULL, &frame);
     if (status != ZR_OK) return status;
     if (strcmp(left, "pixel") == 0) leave_pixel(frame);
-    status = zr_encode(arena, NULL, &scene, frame, NULL, &answer, error);
+    status = zr_encode(&(struct zr_run){.arena = arena, .error = error}, &scene, frame, &answer);
     return status == ZR_OK && !write_away(&answer) ? ZR_INTERNAL : status;
 }
 

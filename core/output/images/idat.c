@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/isa.h"
+#include "base/run.h"
 
 /* STRIP_PIXELS: large enough to hide the cost of a strip, whose empty history takes 0.1 % more bytes. Small enough for
  * its bytes to fit the second-level cache, and for 8 threads to find work in 1920x1080 pixels. LANES: maximum number of
@@ -219,17 +220,16 @@ static void end_stream(const struct zr_adler *sum, struct strip *last)
         last->bytes[last->size++] = (uint8_t)(value >> (24 - 8 * i));
 }
 
-enum zr_status zr_idat_make(const struct zr_idat_image *image, struct zr_arena *arena, struct zr_team *team,
-                            const struct zr_cancel *cancel,
+enum zr_status zr_idat_make(const struct zr_run *run, const struct zr_idat_image *image,
                             void (*take)(void *context, const uint8_t *bytes, size_t size), void *context)
 {
-    struct job *job = make_job(image, arena, (uint32_t)zr_team_size(team), cancel);
+    struct job *job = make_job(image, run->arena, (uint32_t)zr_team_size(run->team), run->cancel);
     if (!job) return ZR_NO_MEMORY;
     struct zr_adler sum = zr_adler_begin();
     for (uint32_t next = 0; next < job->strip_count; next = job->wave_end) {
         job->wave_begin = next;
         job->wave_end = job->strip_count - next < WAVE ? job->strip_count : next + WAVE;
-        make_wave(job, team);
+        make_wave(job, run->team);
         for (uint32_t number = next; number < job->wave_end; number++) {
             struct strip *strip = &job->strips[number - next];
             if (!strip->done) return ZR_CANCELLED;

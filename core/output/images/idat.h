@@ -11,6 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/run.h"
 #include "core.h"
 #include "output/images/filter.h"
 #include "output/bytes/rows.h"
@@ -27,8 +28,7 @@ struct zr_idat_image {
 
 /* Calls take(context, bytes, size) for each part, in order, on the calling thread; it may leave by longjmp. Returns
  * ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. `team` and `cancel` may be NULL. */
-enum zr_status zr_idat_make(const struct zr_idat_image *image, struct zr_arena *arena, struct zr_team *team,
-                            const struct zr_cancel *cancel,
+enum zr_status zr_idat_make(const struct zr_run *run, const struct zr_idat_image *image,
                             void (*take)(void *context, const uint8_t *bytes, size_t size), void *context);
 
 /* ---- one part of a deflate stream, by ISA-L at level 1 ----

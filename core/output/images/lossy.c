@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/run.h"
+
 enum zr_status zr_lossy_end_try(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_buffer *out,
                                 size_t most, enum zr_status status, struct zr_lossy_file *file)
 {
@@ -18,8 +20,8 @@ enum zr_status zr_lossy_end_try(struct zr_arena *arena, struct zr_arena *scratch
  * three. */
 enum { LOW = 5 };
 
-enum zr_status zr_lossy_fit(zr_lossy_write_fn *write, struct zr_arena *arena, const struct zr_lossy *image, size_t most,
-                            const struct zr_cancel *cancel, struct zr_lossy_file *file)
+enum zr_status zr_lossy_fit(const struct zr_run *run, zr_lossy_write_fn *write, const struct zr_lossy *image,
+                            size_t most, struct zr_lossy_file *file)
 {
     struct zr_lossy tried = *image;
     uint32_t fits = 0, fails = image->quality + 1; /* qualities up to `fits` fit, those from `fails` on do not */
@@ -28,7 +30,7 @@ enum zr_status zr_lossy_fit(zr_lossy_write_fn *write, struct zr_arena *arena, co
         struct zr_lossy_file made;
         if (fits == 0 && left == 2 && tried.quality > LOW) tried.quality = LOW;
         if (fits == 0 && left == 1) tried.quality = 1;
-        const enum zr_status status = write(arena, &tried, most, cancel, &made);
+        const enum zr_status status = write(run->arena, &tried, most, run->cancel, &made);
         if (status != ZR_OK) return status;
         if (made.bytes || (!file->bytes && made.size < file->size)) *file = made;
         if (made.bytes)

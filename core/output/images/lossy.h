@@ -9,6 +9,7 @@
 #include <stdint.h>
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/status.h"
 #include "output/bytes/buffer.h"
 
@@ -51,7 +52,7 @@ struct zr_webp_encoder zr_webp_encoder(void);
 /* Encodes the picture at image->quality or, if that has more than `most` bytes, at the best quality below that is found
  * in ZR_LOSSY_TRIES tries, which halve the range. So no quality is missed by more than three. If none fits, file->bytes
  * is NULL and file->size the smallest size found, that of quality 1. A lossless file is made once. */
-enum zr_status zr_lossy_fit(zr_lossy_write_fn *write, struct zr_arena *arena, const struct zr_lossy *image, size_t most,
-                            const struct zr_cancel *cancel, struct zr_lossy_file *file);
+enum zr_status zr_lossy_fit(const struct zr_run *run, zr_lossy_write_fn *write, const struct zr_lossy *image,
+                            size_t most, struct zr_lossy_file *file);
 
 #endif

@@ -3,6 +3,7 @@
 #include <png.h>
 #include <setjmp.h>
 
+#include "base/run.h"
 #include "output/images/idat.h"
 #include "output/images/palette.h"
 
@@ -123,7 +124,8 @@ static enum zr_status write_fast(png_structp png, png_infop info, const struct w
     const struct zr_idat_image image = {layout_of(w), w->image->width, w->image->height,
                                         pixels_of(w), w->image->rows,  w->image->spans};
     write_head(png, info, w);
-    enum zr_status status = zr_idat_make(&image, out->arena, team, w->cancel, write_part, png);
+    enum zr_status status =
+        zr_idat_make(&(struct zr_run){.arena = out->arena, .team = team, .cancel = w->cancel}, &image, write_part, png);
     /* Not png_write_end, which requires that libpng wrote the pixels. */
     if (status == ZR_OK) png_write_chunk(png, (png_const_bytep) "IEND", NULL, 0);
     return status;

@@ -8,14 +8,15 @@
 #ifndef ZR_ALGORITHMS_H
 #define ZR_ALGORITHMS_H
 
+#include "base/run.h"
 #include "raster/samples.h"
 
 /* Draws the primitives that `samples` takes into cleared samples, which have no owner and the depth that a visible
- * fragment must be less than; or adds fragments to their lists. One thread. Returns ZR_OK, ZR_CANCELLED or
- * ZR_NO_MEMORY; the painter also ZR_BAD_SCENE beyond its limit of work, and ZR_INTERNAL if its proof failed. All of the
- * geometry's draws are `counted`. */
-typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_geometry *geometry,
-                                        const struct zr_cancel *cancel, struct zr_samples *samples);
+ * fragment must be less than; or adds fragments to their lists. Uses the run's arena and cancel; one thread. Returns
+ * ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter also ZR_BAD_SCENE beyond its limit of work, and ZR_INTERNAL if its
+ * proof failed. All of the geometry's draws are `counted`. */
+typedef enum zr_status zr_visibility_fn(const struct zr_run *run, const struct zr_geometry *geometry,
+                                        struct zr_samples *samples);
 
 /* Returns the algorithm; NULL for ZR_ALGORITHM_HALFSPACE, which works by tiles. */
 zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm);

@@ -8,6 +8,7 @@
  *
  * Exact:  an x is the first sample not left of the edge, by one integer division per row, rounded up. So a pair of them
  *         encloses exactly the samples that have an odd number of edges on their left. */
+#include "base/run.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
 
@@ -131,14 +132,13 @@ static void trace_row(struct zr_trace *trace, const struct zr_geometry *geometry
     zr_trace_end(trace, '}');
 }
 
-static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geometry,
-                           const struct zr_primitive *primitive, const struct zr_cancel *cancel, struct lists *lists,
-                           struct zr_samples *samples)
+static enum zr_status draw(const struct zr_run *run, const struct zr_geometry *geometry,
+                           const struct zr_primitive *primitive, struct lists *lists, struct zr_samples *samples)
 {
-    if (!make_room(arena, primitive, lists)) return ZR_NO_MEMORY;
+    if (!make_room(run->arena, primitive, lists)) return ZR_NO_MEMORY;
     enter(primitive, samples->width, lists);
     for (int32_t y = primitive->min_y; y <= primitive->max_y; y++) {
-        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
         const uint32_t *ends = &lists->ends[y - primitive->min_y];
         if (ends[0] == ends[1]) continue; /* if all lists are empty, xs may be NULL */
         sort(lists->xs + ends[0], ends[1] - ends[0]);
@@ -149,12 +149,11 @@ static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geo
     return ZR_OK;
 }
 
-enum zr_status zr_edgelist(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
-                           struct zr_samples *samples)
+enum zr_status zr_edgelist(const struct zr_run *run, const struct zr_geometry *geometry, struct zr_samples *samples)
 {
-    struct lists lists = {.ends = zr_arena_alloc(arena, (size_t)samples->height + 1, sizeof *lists.ends),
-                          .hits = zr_arena_alloc(arena, samples->width, sizeof *lists.hits)};
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    struct lists lists = {.ends = zr_arena_alloc(run->arena, (size_t)samples->height + 1, sizeof *lists.ends),
+                          .hits = zr_arena_alloc(run->arena, samples->width, sizeof *lists.hits)};
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     const struct zr_draw *of = &geometry->draws[0];
     struct zr_primitive primitive;
     for (uint32_t first = 0; first < geometry->primitive_count; first += primitive.count) {
@@ -165,7 +164,7 @@ enum zr_status zr_edgelist(struct zr_arena *arena, const struct zr_geometry *geo
         }
         zr_primitive_make(geometry, of, first, samples->width, samples->height, &primitive);
         if (zr_primitive_is_empty(&primitive)) continue;
-        enum zr_status status = draw(arena, geometry, &primitive, cancel, &lists, samples);
+        enum zr_status status = draw(run, geometry, &primitive, &lists, samples);
         if (status != ZR_OK) return status;
     }
     return ZR_OK;

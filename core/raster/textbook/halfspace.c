@@ -10,6 +10,7 @@
  */
 #include <string.h>
 
+#include "base/run.h"
 #include "raster/setup.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
@@ -194,18 +195,18 @@ static void trace_primitive(struct zr_trace *trace, const struct zr_primitive *p
     zr_trace_integers(trace, "box", (int64_t[]){p->min_x, p->min_y, p->max_x, p->max_y}, 4);
 }
 
-enum zr_status zr_plain_halfspace(struct zr_arena *arena, const struct zr_geometry *geometry,
-                                  const struct zr_cancel *cancel, struct zr_samples *samples)
+enum zr_status zr_plain_halfspace(const struct zr_run *run, const struct zr_geometry *geometry,
+                                  struct zr_samples *samples)
 {
     struct zr_primitives primitives;
-    const enum zr_status status = zr_primitives_make(arena, geometry, samples, cancel, &primitives);
-    struct drawing drawing = {.geometry = geometry, .cancel = cancel, .samples = samples};
+    const enum zr_status status = zr_primitives_make(run->arena, geometry, samples, run->cancel, &primitives);
+    struct drawing drawing = {.geometry = geometry, .cancel = run->cancel, .samples = samples};
     if (status != ZR_OK) return status;
-    drawing.hits = zr_arena_alloc(arena, samples->width, sizeof *drawing.hits);
-    drawing.flags = zr_arena_alloc(arena, samples->width, sizeof *drawing.flags);
-    drawing.xs = zr_arena_alloc(arena, (size_t)samples->width + 1, sizeof *drawing.xs);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    for (uint32_t i = 0; i < primitives.count && !zr_is_cancelled(cancel); i++) {
+    drawing.hits = zr_arena_alloc(run->arena, samples->width, sizeof *drawing.hits);
+    drawing.flags = zr_arena_alloc(run->arena, samples->width, sizeof *drawing.flags);
+    drawing.xs = zr_arena_alloc(run->arena, (size_t)samples->width + 1, sizeof *drawing.xs);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
+    for (uint32_t i = 0; i < primitives.count && !zr_is_cancelled(run->cancel); i++) {
         drawing.primitive = &primitives.items[i];
         if (samples->trace) trace_primitive(samples->trace, drawing.primitive);
         if (drawing.primitive->draw->kind == ZR_DRAW_TRIANGLES)
@@ -214,5 +215,5 @@ enum zr_status zr_plain_halfspace(struct zr_arena *arena, const struct zr_geomet
             draw_by_flips(&drawing);
         if (samples->trace) zr_trace_end(samples->trace, '}');
     }
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -19,6 +19,7 @@
  */
 #include <assert.h>
 
+#include "base/run.h"
 #include "raster/textbook/piece.h"
 #include "raster/textbook/trace.h"
 
@@ -361,8 +362,7 @@ enum zr_status zr_painter_within(struct zr_arena *arena, const struct zr_geometr
     return paint(&painting, work_max);
 }
 
-enum zr_status zr_painter(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
-                          struct zr_samples *samples)
+enum zr_status zr_painter(const struct zr_run *run, const struct zr_geometry *geometry, struct zr_samples *samples)
 {
-    return zr_painter_within(arena, geometry, ZR_PAINTER_WORK_MAX, cancel, samples);
+    return zr_painter_within(run->arena, geometry, ZR_PAINTER_WORK_MAX, run->cancel, samples);
 }

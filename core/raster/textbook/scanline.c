@@ -11,6 +11,7 @@
  *         so depth is monotone, and the two ends of an interval bound it. If one polygon remains, it fills the
  *         interval. If more remain, they may intersect, and each sample decides.
  * Memory: all edges, and the data of one row. */
+#include "base/run.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
 
@@ -342,31 +343,31 @@ static void sweep_row(struct sweep *sweep, int32_t y)
 
 /* ---- entry point ---- */
 
-enum zr_status zr_scanline(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
-                           struct zr_samples *samples)
+enum zr_status zr_scanline(const struct zr_run *run, const struct zr_geometry *geometry, struct zr_samples *samples)
 {
     struct zr_primitives primitives;
     struct table table;
-    enum zr_status status = zr_primitives_make(arena, geometry, samples, cancel, &primitives);
+    enum zr_status status = zr_primitives_make(run->arena, geometry, samples, run->cancel, &primitives);
     if (status != ZR_OK) return status;
-    if (!make_table(arena, &primitives, (int32_t)samples->height, &table)) return ZR_NO_MEMORY;
-    struct sweep sweep = {.geometry = geometry, .primitives = primitives.items, .cancel = cancel, .samples = samples};
-    sweep.at = zr_arena_alloc(arena, samples->width, sizeof *sweep.at);
-    sweep.inside = zr_arena_alloc(arena, primitives.count, sizeof *sweep.inside);
-    sweep.places = zr_arena_zero(arena, primitives.count, sizeof *sweep.places);
-    sweep.layers = zr_arena_alloc(arena, primitives.count, sizeof *sweep.layers);
-    sweep.hits = zr_arena_alloc(arena, samples->width, sizeof *sweep.hits);
-    sweep.nearest = zr_arena_zero(arena, samples->width, sizeof *sweep.nearest);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    if (!make_table(run->arena, &primitives, (int32_t)samples->height, &table)) return ZR_NO_MEMORY;
+    struct sweep sweep = {
+        .geometry = geometry, .primitives = primitives.items, .cancel = run->cancel, .samples = samples};
+    sweep.at = zr_arena_alloc(run->arena, samples->width, sizeof *sweep.at);
+    sweep.inside = zr_arena_alloc(run->arena, primitives.count, sizeof *sweep.inside);
+    sweep.places = zr_arena_zero(run->arena, primitives.count, sizeof *sweep.places);
+    sweep.layers = zr_arena_alloc(run->arena, primitives.count, sizeof *sweep.layers);
+    sweep.hits = zr_arena_alloc(run->arena, samples->width, sizeof *sweep.hits);
+    sweep.nearest = zr_arena_zero(run->arena, samples->width, sizeof *sweep.nearest);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     for (int32_t y = 0; y < (int32_t)samples->height; y++) {
-        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
         step_row(y, &sweep);
-        if ((status = begin_edges(arena, &table, y, &sweep)) != ZR_OK) return status;
+        if ((status = begin_edges(run->arena, &table, y, &sweep)) != ZR_OK) return status;
         if (sweep.passing_count == 0) continue;
         sort_row(&sweep);
         if (samples->trace) trace_edges(&sweep, y);
         sweep_row(&sweep, y);
         if (samples->trace) trace_end_of_row(samples->trace);
     }
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -11,6 +11,7 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
+#include "base/run.h"
 #include "raster/samples.h"
 
 enum { ZR_TRACE_VALUES_MAX = 1 << 20 };
@@ -98,7 +99,7 @@ int32_t *zr_trace_crossings(struct zr_trace *trace, size_t count);
 /* The half-space algorithm of lessons: sample by sample, without vectors. Its tiles have 4 x 4 samples. Triangles have
  * edge functions; for other primitives, each edge flips the samples right of it, as in oddeven.h. A zr_visibility_fn.
  */
-enum zr_status zr_plain_halfspace(struct zr_arena *arena, const struct zr_geometry *geometry,
-                                  const struct zr_cancel *cancel, struct zr_samples *samples);
+enum zr_status zr_plain_halfspace(const struct zr_run *run, const struct zr_geometry *geometry,
+                                  struct zr_samples *samples);
 
 #endif

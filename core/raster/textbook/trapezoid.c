@@ -9,6 +9,7 @@
  * Exact:  x is an integer column and a distance from the edge in parts. The number of parts per column is chosen so
  *         that a step is an integer number of columns and parts. Nothing is rounded, so no error accumulates. With
  *         corners below 2^22 in magnitude, a column has less than 2^31 parts. */
+#include "base/run.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
 
@@ -206,26 +207,24 @@ static int32_t draw_trapezoids(const struct zr_geometry *geometry, const struct 
     return y;
 }
 
-static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geometry,
-                           const struct zr_primitive *primitive, const struct zr_cancel *cancel,
-                           struct polygon *polygon, struct zr_samples *samples)
+static enum zr_status draw(const struct zr_run *run, const struct zr_geometry *geometry,
+                           const struct zr_primitive *primitive, struct polygon *polygon, struct zr_samples *samples)
 {
-    if (!make_sides(arena, primitive, polygon)) return ZR_NO_MEMORY;
+    if (!make_sides(run->arena, primitive, polygon)) return ZR_NO_MEMORY;
     for (int32_t y = primitive->min_y; y <= primitive->max_y;) {
-        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
         begin_and_end_sides(polygon, y);
         int32_t end = next_change(polygon, y, primitive->max_y + 1);
-        y = draw_trapezoids(geometry, primitive, polygon, y, end, cancel, samples);
+        y = draw_trapezoids(geometry, primitive, polygon, y, end, run->cancel, samples);
     }
     return ZR_OK;
 }
 
-enum zr_status zr_trapezoid(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
-                            struct zr_samples *samples)
+enum zr_status zr_trapezoid(const struct zr_run *run, const struct zr_geometry *geometry, struct zr_samples *samples)
 {
-    struct polygon polygon = {.beginning = zr_arena_alloc(arena, samples->height, sizeof *polygon.beginning),
-                              .hits = zr_arena_alloc(arena, samples->width, sizeof *polygon.hits)};
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    struct polygon polygon = {.beginning = zr_arena_alloc(run->arena, samples->height, sizeof *polygon.beginning),
+                              .hits = zr_arena_alloc(run->arena, samples->width, sizeof *polygon.hits)};
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     const struct zr_draw *of = &geometry->draws[0];
     struct zr_primitive primitive;
     for (uint32_t first = 0; first < geometry->primitive_count; first += primitive.count) {
@@ -236,7 +235,7 @@ enum zr_status zr_trapezoid(struct zr_arena *arena, const struct zr_geometry *ge
         }
         zr_primitive_make(geometry, of, first, samples->width, samples->height, &primitive);
         if (zr_primitive_is_empty(&primitive)) continue;
-        enum zr_status status = draw(arena, geometry, &primitive, cancel, &polygon, samples);
+        enum zr_status status = draw(run, geometry, &primitive, &polygon, samples);
         if (status != ZR_OK) return status;
     }
     return ZR_OK;

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/run.h"
+
 /* Copies a tile's initial depths to the window and clears its owners. */
 static void begin_rows(struct zr_samples *samples, const struct zr_tile *tile)
 {
@@ -12,41 +14,39 @@ static void begin_rows(struct zr_samples *samples, const struct zr_tile *tile)
     }
 }
 
-enum zr_status zr_visibility_window(struct zr_arena *arena, const struct zr_geometry *geometry,
+enum zr_status zr_visibility_window(const struct zr_run *run, const struct zr_geometry *geometry,
                                     zr_visibility_fn *visibility, uint32_t width, uint32_t height,
-                                    const struct zr_base *base, const struct zr_cancel *cancel,
-                                    struct zr_samples *samples)
+                                    const struct zr_base *base, struct zr_samples *samples)
 {
     size_t pixels = (size_t)width * height;
     *samples = (struct zr_samples){.width = width,
                                    .height = height,
-                                   .depth = zr_arena_alloc(arena, pixels, sizeof *samples->depth),
-                                   .owner = zr_arena_alloc(arena, pixels, sizeof *samples->owner)};
-    struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+                                   .depth = zr_arena_alloc(run->arena, pixels, sizeof *samples->depth),
+                                   .owner = zr_arena_alloc(run->arena, pixels, sizeof *samples->owner)};
+    struct zr_tile *tile = zr_arena_alloc(run->arena, 1, sizeof *tile);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     for (uint32_t number = 0; number < zr_tile_count(width, height); number++) {
-        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
         zr_tile_place(tile, number, width, height);
         zr_tile_begin(tile, base, width, height);
         begin_rows(samples, tile);
     }
-    return visibility(arena, geometry, cancel, samples);
+    return visibility(run, geometry, samples);
 }
 
-enum zr_status zr_visibility_window_fragments(struct zr_arena *arena, const struct zr_geometry *geometry,
+enum zr_status zr_visibility_window_fragments(const struct zr_run *run, const struct zr_geometry *geometry,
                                               zr_visibility_fn *visibility, enum zr_alpha_mode mode,
-                                              const struct zr_cancel *cancel, struct zr_samples *samples,
-                                              struct zr_fragments *fragments)
+                                              struct zr_samples *samples, struct zr_fragments *fragments)
 {
     enum zr_status status = ZR_OK;
     samples->drawn = mode;
     samples->fragments = fragments;
-    if (!zr_fragments_begin(arena, NULL, samples->width * samples->height, fragments)) return ZR_NO_MEMORY;
-    status = visibility(arena, geometry, cancel, samples);
+    if (!zr_fragments_begin(run->arena, NULL, samples->width * samples->height, fragments)) return ZR_NO_MEMORY;
+    status = visibility(run, geometry, samples);
     if (status != ZR_OK) return status;
-    if (!zr_fragments_prefix_sum(arena, NULL, fragments)) return ZR_NO_MEMORY;
-    status = visibility(arena, geometry, cancel, samples);
-    zr_fragments_sort(cancel, fragments);
+    if (!zr_fragments_prefix_sum(run->arena, NULL, fragments)) return ZR_NO_MEMORY;
+    status = visibility(run, geometry, samples);
+    zr_fragments_sort(run->cancel, fragments);
     samples->fragments = NULL;
     return status;
 }
@@ -106,18 +106,17 @@ static bool load_fragments(const struct zr_visibility *visibility, uint32_t numb
     return !zr_is_cancelled(cancel);
 }
 
-enum zr_status zr_whole_window_make(struct zr_arena *arena, const struct zr_geometry *geometry,
+enum zr_status zr_whole_window_make(const struct zr_run *run, const struct zr_geometry *geometry,
                                     zr_visibility_fn *visibility, const bool listed[ZR_ALPHA_COUNT],
-                                    const struct zr_base *base, const struct zr_cancel *cancel,
-                                    struct zr_whole_window *window)
+                                    const struct zr_base *base, struct zr_whole_window *window)
 {
     *window =
         (struct zr_whole_window){.visibility = {.tile = load_tile, .has_any = has_any, .fragments = load_fragments}};
-    enum zr_status status = zr_visibility_window(arena, geometry, visibility, geometry->window.width,
-                                                 geometry->window.height, base, cancel, &window->samples);
+    enum zr_status status = zr_visibility_window(run, geometry, visibility, geometry->window.width,
+                                                 geometry->window.height, base, &window->samples);
     for (int mode = 0; mode < ZR_ALPHA_COUNT && status == ZR_OK; mode++)
         if (listed[mode])
-            status = zr_visibility_window_fragments(arena, geometry, visibility, (enum zr_alpha_mode)mode, cancel,
+            status = zr_visibility_window_fragments(run, geometry, visibility, (enum zr_alpha_mode)mode,
                                                     &window->samples, &window->lists[mode]);
     return status;
 }

@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/run.h"
+
 bool zr_flow_scene(struct zr_arena *arena, const struct zr_scene *scene, struct zr_scene *out)
 {
     const zr_mat4 *matrices = scene->flow ? scene->flow->matrices : NULL;
@@ -48,16 +50,15 @@ static enum zr_status report(const struct zr_flow *flow, enum zr_status status, 
     return status;
 }
 
-enum zr_status zr_flow_camera_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                   const struct zr_camera *own, const struct zr_cancel *cancel,
-                                   struct zr_camera *camera, struct zr_error *error)
+enum zr_status zr_flow_camera_find(const struct zr_run *run, const struct zr_scene *scene, const struct zr_camera *own,
+                                   struct zr_camera *camera)
 {
     const struct zr_flow *flow = scene->flow;
     struct zr_error faults = {0};
     struct zr_scene moved;
     *camera = *own;
     if (!flow) return ZR_OK;
-    if (!zr_flow_scene(arena, scene, &moved)) return ZR_NO_MEMORY;
+    if (!zr_flow_scene(run->arena, scene, &moved)) return ZR_NO_MEMORY;
     struct zr_view *view = &moved.views[0];
     if (flow->has_view) {
         const struct zr_view given = *view;
@@ -68,9 +69,10 @@ enum zr_status zr_flow_camera_find(struct zr_arena *arena, struct zr_team *team,
     } else {
         use_camera(own, view);
     }
-    const struct zr_bounds bounds = zr_bounds_of(&moved, team, cancel);
-    const enum zr_status status = zr_camera_resolve(&moved, view, &bounds, team, cancel, camera, &faults);
-    if (status != ZR_OK) return report(flow, status, &faults, error);
+    const struct zr_bounds bounds = zr_bounds_of(&moved, run->team, run->cancel);
+    const struct zr_run finding = zr_run_reporting(run, &faults);
+    const enum zr_status status = zr_camera_resolve(&finding, &moved, view, &bounds, camera);
+    if (status != ZR_OK) return report(flow, status, &faults, run->error);
     if (!flow->has_view) copy_rows(own, camera);
     return ZR_OK;
 }

@@ -6,6 +6,7 @@
 #ifndef ZR_FLOW_H
 #define ZR_FLOW_H
 
+#include "base/run.h"
 #include "scene/camera/view_camera.h"
 
 /* Copies the scene with the matrices of its target. The copy keeps the view. False without memory. */
@@ -13,8 +14,7 @@ bool zr_flow_scene(struct zr_arena *arena, const struct zr_scene *scene, struct 
 
 /* Finds the camera of the scene's target; that of the view if the scene has none. Errors: those of zr_camera_resolve,
  * at the output's key `to`. */
-enum zr_status zr_flow_camera_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                   const struct zr_camera *own, const struct zr_cancel *cancel,
-                                   struct zr_camera *camera, struct zr_error *error);
+enum zr_status zr_flow_camera_find(const struct zr_run *run, const struct zr_scene *scene, const struct zr_camera *own,
+                                   struct zr_camera *camera);
 
 #endif

@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "base/run.h"
 #include "base/trig.h"
 #include "scene/camera/camera_parts.h"
 
@@ -142,10 +143,9 @@ static enum zr_status set_window(struct zr_lens_plan *plan, const struct box *bo
     return ZR_OK;
 }
 
-enum zr_status zr_lens_plan_make(struct zr_arena *arena, const struct zr_view *view, const struct zr_cancel *cancel,
-                                 const struct zr_lens_plan **out, struct zr_error *error)
+enum zr_status zr_lens_plan_make(const struct zr_run *run, const struct zr_view *view, const struct zr_lens_plan **out)
 {
-    struct zr_lens_plan *plan = zr_arena_zero(arena, 1, sizeof *plan);
+    struct zr_lens_plan *plan = zr_arena_zero(run->arena, 1, sizeof *plan);
     const double infinity = (double)INFINITY;
     struct border border = {{infinity, -infinity, infinity, -infinity}, true};
     if (!plan) return ZR_NO_MEMORY;
@@ -154,11 +154,11 @@ enum zr_status zr_lens_plan_make(struct zr_arena *arena, const struct zr_view *v
     plan->view_width = view->width;
     plan->view_height = view->height;
     plan->scale = find_scale(plan);
-    const enum zr_status status = walk_border(plan, cancel, &border, error);
+    const enum zr_status status = walk_border(plan, run->cancel, &border, run->error);
     if (status != ZR_OK) return status;
     if (!border.is_whole) add_fold(plan, &border.box);
     *out = plan;
-    return set_window(plan, &border.box, error);
+    return set_window(plan, &border.box, run->error);
 }
 
 struct zr_camera zr_lens_pinhole(const struct zr_lens_plan *plan, const struct zr_camera *camera)

@@ -10,6 +10,7 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
+#include "base/run.h"
 #include "base/status.h"
 #include "scene/camera/camera.h"
 #include "scene/camera/lens.h"
@@ -30,8 +31,8 @@ struct zr_lens_plan {
 
 /* Plans the picture of a view with a lens. Errors: ZR_BAD_SCENE if a ray is farther than ZR_LENS_DEGREES_MAX from the
  * axis, or if the picture is too large; ZR_NO_MEMORY; ZR_CANCELLED. */
-enum zr_status zr_lens_plan_make(struct zr_arena *arena, const struct zr_view *view, const struct zr_cancel *cancel,
-                                 const struct zr_lens_plan **plan, struct zr_error *error);
+enum zr_status zr_lens_plan_make(const struct zr_run *run, const struct zr_view *view,
+                                 const struct zr_lens_plan **plan);
 
 /* Returns the camera of the pinhole picture. `camera` is that of the view. */
 struct zr_camera zr_lens_pinhole(const struct zr_lens_plan *plan, const struct zr_camera *camera);

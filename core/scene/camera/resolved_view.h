@@ -7,6 +7,7 @@
 #define ZR_RESOLVED_VIEW_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/status.h"
 #include "core.h"
 #include "scene/camera/view_camera.h"
@@ -34,7 +35,7 @@ struct zr_resolved_view {
  * size of the window of `view`; `camera` is the resolved `view`.
  * Errors: ZR_BAD_SCENE if the z or w of the projection depends on x or y (an oblique near plane), ZR_NO_MEMORY,
  *         ZR_CANCELLED (by arena->cancel). */
-enum zr_status zr_base_place(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_view *view,
-                             const struct zr_camera *camera, const struct zr_base **placed, struct zr_error *error);
+enum zr_status zr_base_place(const struct zr_run *run, const struct zr_scene *scene, const struct zr_view *view,
+                             const struct zr_camera *camera, const struct zr_base **placed);
 
 #endif

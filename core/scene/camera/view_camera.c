@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "scene/camera/camera_parts.h"
 #include "scene/camera/extent_view.h"
 
@@ -72,13 +73,12 @@ static enum zr_status refuse_odd(const struct zr_scene *scene, const struct zr_c
     return zr_error_add(error, ZR_BAD_SCENE, NULL, "%s", text);
 }
 
-enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_view *view,
-                                 const struct zr_bounds *bounds, struct zr_team *team, const struct zr_cancel *cancel,
-                                 struct zr_camera *camera, struct zr_error *error)
+enum zr_status zr_camera_resolve(const struct zr_run *run, const struct zr_scene *scene, const struct zr_view *view,
+                                 const struct zr_bounds *bounds, struct zr_camera *camera)
 {
-    const struct zr_points points = {.scene = scene, .view = view, .team = team, .cancel = cancel};
-    enum zr_status status = resolve(&points, bounds, camera, error);
-    if (status == ZR_OK && zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    if (status == ZR_OK) status = check_range(camera, error);
-    return status == ZR_OK ? refuse_odd(scene, camera, error) : status;
+    const struct zr_points points = {.scene = scene, .view = view, .team = run->team, .cancel = run->cancel};
+    enum zr_status status = resolve(&points, bounds, camera, run->error);
+    if (status == ZR_OK && zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
+    if (status == ZR_OK) status = check_range(camera, run->error);
+    return status == ZR_OK ? refuse_odd(scene, camera, run->error) : status;
 }

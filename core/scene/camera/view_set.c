@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/run.h"
 #include "scene/camera/camera_parts.h"
 #include "scene/camera/upright.h"
 #include "scene/output.h"
@@ -157,12 +158,11 @@ static enum zr_status check(const struct zr_view *view, const struct zr_view_set
 }
 
 /* Raises distance and half sizes to those of one view. */
-static enum zr_status measure(const struct zr_scene *scene, const struct zr_view *view, const struct zr_bounds *bounds,
-                              struct zr_team *team, const struct zr_cancel *cancel, struct zr_shared_camera *most,
-                              struct zr_error *error)
+static enum zr_status measure(const struct zr_run *run, const struct zr_scene *scene, const struct zr_view *view,
+                              const struct zr_bounds *bounds, struct zr_shared_camera *most)
 {
     struct zr_camera camera;
-    const enum zr_status status = zr_camera_resolve(scene, view, bounds, team, cancel, &camera, error);
+    const enum zr_status status = zr_camera_resolve(run, scene, view, bounds, &camera);
     if (status != ZR_OK) return status;
     most->distance = fmaxf(most->distance, (float)depth_of(&camera, view->target));
     most->xmag = fmaxf(most->xmag, 1.0f / camera.projection.m[0]);
@@ -170,15 +170,15 @@ static enum zr_status measure(const struct zr_scene *scene, const struct zr_view
     return ZR_OK;
 }
 
-enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_view_set *set, struct zr_team *team,
-                               const struct zr_cancel *cancel, struct zr_shared_camera *camera, struct zr_error *error)
+enum zr_status zr_view_set_fit(const struct zr_run *run, const struct zr_scene *scene, const struct zr_view_set *set,
+                               struct zr_shared_camera *camera)
 {
     const struct zr_view *given = &scene->views[0];
-    const struct zr_points points = {.scene = scene, .view = given, .team = team, .cancel = cancel};
+    const struct zr_points points = {.scene = scene, .view = given, .team = run->team, .cancel = run->cancel};
     struct zr_camera first;
-    struct zr_bounds bounds = zr_bounds_of(scene, team, cancel);
-    enum zr_status status = check(given, set, error);
-    if (status == ZR_OK) status = zr_camera_resolve(scene, given, &bounds, team, cancel, &first, error);
+    struct zr_bounds bounds = zr_bounds_of(scene, run->team, run->cancel);
+    enum zr_status status = check(given, set, run->error);
+    if (status == ZR_OK) status = zr_camera_resolve(run, scene, given, &bounds, &first);
     if (status != ZR_OK) return status;
     const struct zr_bounds fitted = zr_fit_bounds(&points, &bounds);
     *camera = (struct zr_shared_camera){.distance = 0.0f};
@@ -190,7 +190,7 @@ enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_vie
     for (uint32_t i = 0; status == ZR_OK && i < set->count; i++) {
         struct zr_view view = *given;
         zr_view_set_pose(scene, set, i, camera, &view);
-        status = measure(scene, &view, &bounds, team, cancel, &most, error);
+        status = measure(run, scene, &view, &bounds, &most);
     }
     camera->distance = most.distance;
     camera->xmag = most.xmag;

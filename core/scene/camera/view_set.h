@@ -12,8 +12,9 @@
 #ifndef ZR_VIEW_SET_H
 #define ZR_VIEW_SET_H
 
-#include "scene/parts/animation.h"
+#include "base/run.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/parts/animation.h"
 
 enum zr_view_set_kind {
     ZR_VIEW_SET_LIST,
@@ -64,8 +65,8 @@ enum zr_status zr_sheet_complete(struct zr_scene *scene, struct zr_error *error)
 
 /* Finds the shared camera. Not for lists and animations. ZR_BAD_SCENE if the scene's view has a pose or a projection as
  * a matrix, or if one of the views has no solution; ZR_CANCELLED. */
-enum zr_status zr_view_set_fit(const struct zr_scene *scene, const struct zr_view_set *set, struct zr_team *team,
-                               const struct zr_cancel *cancel, struct zr_shared_camera *camera, struct zr_error *error);
+enum zr_status zr_view_set_fit(const struct zr_run *run, const struct zr_scene *scene, const struct zr_view_set *set,
+                               struct zr_shared_camera *camera);
 
 /* Sets the pose of a view. `camera`: of a turntable, an orbit or a sheet, on which orthographic views without a size of
  * their own have one scale. */

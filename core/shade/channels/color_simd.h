@@ -18,16 +18,17 @@ struct zr_color_places {
 /* Number of runs between look-up and use: by then, prefetched values have arrived. */
 enum { ZR_RUNS_AHEAD = 8 };
 
-static inline bool zr_run_has_planes(const struct zr_run *run)
+static inline bool zr_draw_run_has_planes(const struct zr_draw_run *run)
 {
     return zr_draw_is_smooth(run->of_draw) || run->of_draw->is_per_pixel;
 }
 
-static inline void zr_look_up_smooth(const struct zr_shader *s, const struct zr_run *run, struct zr_corner_numbers *out)
+static inline void zr_look_up_smooth(const struct zr_shader *s, const struct zr_draw_run *run,
+                                     struct zr_corner_numbers *out)
 {
     const struct zr_attribute *color = &run->of_draw->attributes[ZR_ATTRIBUTE_COLOR],
                               *back = &run->of_draw->attributes[ZR_ATTRIBUTE_BACK_COLOR];
-    *out = zr_corner_numbers_of(run->draw, color->rate, zr_run_numbers(s, run));
+    *out = zr_corner_numbers_of(run->draw, color->rate, zr_draw_run_numbers(s, run));
     for (int i = 0; i < ZR_LANES; i++)
         for (int k = 0; k < 3; k++) {
             __builtin_prefetch(&s->geometry->vertices[out->vertex[k][i]]);
@@ -36,15 +37,16 @@ static inline void zr_look_up_smooth(const struct zr_shader *s, const struct zr_
         }
 }
 
-static inline void zr_look_up_colors(const struct zr_shader *s, const struct zr_run *run, struct zr_color_places *out)
+static inline void zr_look_up_colors(const struct zr_shader *s, const struct zr_draw_run *run,
+                                     struct zr_color_places *out)
 {
     const struct zr_draw_attributes *of_draw = run->of_draw;
     if (zr_draw_is_of_wires(run->draw)) return;
-    if (zr_run_has_planes(run)) {
+    if (zr_draw_run_has_planes(run)) {
         zr_look_up_smooth(s, run, &out->smooth);
         return;
     }
-    zr_vi_store(out->flat, zr_sided_number(s->geometry, of_draw, zr_run_numbers(s, run)));
+    zr_vi_store(out->flat, zr_sided_number(s->geometry, of_draw, zr_draw_run_numbers(s, run)));
     for (int i = 0; i < ZR_LANES; i++)
         __builtin_prefetch(of_draw->packed ? (const void *)&of_draw->packed[out->flat[i]]
                                            : (const void *)zr_flat_at(of_draw, out->flat[i]));
@@ -52,7 +54,7 @@ static inline void zr_look_up_colors(const struct zr_shader *s, const struct zr_
 
 /* ---- making ---- */
 
-static inline void zr_make_lines(struct zr_shader *s, const struct zr_run *run, unsigned mask)
+static inline void zr_make_lines(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask)
 {
     for (uint32_t i = run->first; i < run->first + run->count; i++) {
         const uint32_t number = s->parts.owners[i] - 1;
@@ -63,22 +65,22 @@ static inline void zr_make_lines(struct zr_shader *s, const struct zr_run *run, 
     }
 }
 
-ZR_INLINED void zr_make_smooth(struct zr_shader *s, const struct zr_run *run, const struct zr_corner_numbers *corners,
-                               unsigned mask)
+ZR_INLINED void zr_make_smooth(struct zr_shader *s, const struct zr_draw_run *run,
+                               const struct zr_corner_numbers *corners, unsigned mask)
 {
     zr_put_triangles(s, run, mask, corners, run->of_draw->is_per_pixel);
     memset(s->has_planes + run->first, true, ZR_LANES);
     s->any_planes = true;
 }
 
-ZR_INLINED void zr_make_colors(struct zr_shader *s, const struct zr_run *run, const struct zr_color_places *places,
+ZR_INLINED void zr_make_colors(struct zr_shader *s, const struct zr_draw_run *run, const struct zr_color_places *places,
                                unsigned mask)
 {
     if (mask & ZR_VARY_PER_PIXEL) zr_put_material(s, run, run->of_draw->is_per_pixel);
     if (zr_mixes_constants(mask)) memset(s->is_constant + run->first, false, ZR_LANES);
     if (zr_draw_is_of_wires(run->draw))
         zr_make_lines(s, run, mask);
-    else if (zr_run_has_planes(run))
+    else if (zr_draw_run_has_planes(run))
         zr_make_smooth(s, run, &places->smooth, mask);
     else
         zr_put_words(s, run, zr_flat_look_up(run->of_draw, zr_vi_load(places->flat)));

@@ -12,6 +12,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/run.h"
 #include "core.h"
 #include "cost/cost.h"
 #include "render_request.h"
@@ -51,13 +52,13 @@ static double measure(struct zr_arena *arena, const struct zr_request *request, 
     struct zr_answer answer;
     struct zr_error error = {.count = 0};
     zr_arena_reset(arena, SIZE_MAX);
-    if (zr_scene_read(arena, NULL, request, &limits, &scene, &error) != ZR_OK ||
-        zr_resolved_view_find(arena, NULL, scene, NULL, &resolved, &error) != ZR_OK)
+    if (zr_scene_read(&(struct zr_run){.arena = arena, .error = &error}, request, &limits, &scene) != ZR_OK ||
+        zr_resolved_view_find(&(struct zr_run){.arena = arena, .error = &error}, scene, &resolved) != ZR_OK)
         return fail(&error);
     *cost = zr_scene_cost(scene, resolved);
     const double begin_ms = now_ms();
-    if (zr_render(arena, NULL, scene, resolved, NULL, &frame, &error) != ZR_OK ||
-        zr_encode(arena, NULL, scene, frame, NULL, &answer, &error) != ZR_OK)
+    if (zr_render(&(struct zr_run){.arena = arena, .error = &error}, scene, resolved, &frame) != ZR_OK ||
+        zr_encode(&(struct zr_run){.arena = arena, .error = &error}, scene, frame, &answer) != ZR_OK)
         return fail(&error);
     return now_ms() - begin_ms;
 }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "bench/input/documents.h"
 #include "bench/machine.h"
 #include "bench/series.h"
@@ -102,7 +103,7 @@ static const struct zr_scene *read_scene(struct reading *reading, int way)
         request.asset_count = 2;
     }
     zr_arena_reset(&reading->arena, ARENA_BYTES);
-    if (zr_scene_read(&reading->arena, NULL, &request, &limits, &scene, &error) != ZR_OK)
+    if (zr_scene_read(&(struct zr_run){.arena = &reading->arena, .error = &error}, &request, &limits, &scene) != ZR_OK)
         bench_complain("zr_scene_read: %s: %s", error.items[0].pointer, error.items[0].detail);
     return scene;
 }

@@ -3,13 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "bench/input/documents.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/works.h"
+#include "core.h"
 #include "render_request.h"
 #include "request/change.h"
-#include "core.h"
 
 static const size_t ARENA_BYTES = (size_t)4 << 30;
 
@@ -115,7 +116,8 @@ static bool open_contest(struct contest *contest, int row, int which, const stru
     zr_arena_init(&contest->kept_arena, ARENA_BYTES);
     contest->copy = malloc(contest->file.size);
     if (!contest->copy) return false;
-    if (zr_scene_keep(&contest->kept_arena, NULL, &contest->request, &limits, &contest->kept, &error) != ZR_OK)
+    if (zr_scene_keep(&(struct zr_run){.arena = &contest->kept_arena, .error = &error}, &contest->request, &limits,
+                      &contest->kept) != ZR_OK)
         return complain("zr_scene_keep", &error);
     contest->scene = zr_kept_scene(contest->kept);
     return true;
@@ -137,14 +139,14 @@ static bool run(struct contest *contest)
     const struct zr_scene *scene = contest->scene;
     const struct zr_frame *frame;
     zr_arena_reset(&contest->arena, ARENA_BYTES);
-    if (contest->side == READ_AND_DRAW &&
-        zr_scene_read(&contest->arena, NULL, &contest->request, &limits, &scene, &error) != ZR_OK)
+    if (contest->side == READ_AND_DRAW && zr_scene_read(&(struct zr_run){.arena = &contest->arena, .error = &error},
+                                                        &contest->request, &limits, &scene) != ZR_OK)
         return complain("zr_scene_read", &error);
-    if (contest->side == POSE_AND_DRAW &&
-        zr_scene_change(&contest->arena, NULL, contest->kept, &change, &scene, &error) != ZR_OK)
+    if (contest->side == POSE_AND_DRAW && zr_scene_change(&(struct zr_run){.arena = &contest->arena, .error = &error},
+                                                          contest->kept, &change, &scene) != ZR_OK)
         return complain("zr_scene_change", &error);
     if (contest->side == COPY_AND_DRAW) memcpy(contest->copy, contest->file.bytes, contest->file.size);
-    return zr_render(&contest->arena, NULL, scene, NULL, NULL, &frame, &error) == ZR_OK ||
+    return zr_render(&(struct zr_run){.arena = &contest->arena, .error = &error}, scene, NULL, &frame) == ZR_OK ||
            complain("zr_render", &error);
 }
 

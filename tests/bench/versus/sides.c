@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/run.h"
 #include "bench/machine.h"
 
 static const size_t ARENA_BYTES = (size_t)16 << 30;
@@ -37,7 +38,8 @@ const struct zr_frame *ours_render(struct ours *ours, const struct zr_output *ou
     scene->views[0].outputs = outputs;
     scene->views[0].output_count = count;
     zr_arena_reset(&ours->arena, ARENA_BYTES);
-    enum zr_status status = zr_render(&ours->arena, ours->team, scene, NULL, NULL, &frame, &error);
+    enum zr_status status =
+        zr_render(&(struct zr_run){.arena = &ours->arena, .team = ours->team, .error = &error}, scene, NULL, &frame);
     if (status == ZR_OK && frame) return frame;
     fprintf(stderr, "zr_render: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "no frame");
     return NULL;
@@ -55,7 +57,8 @@ bool ours_encode(struct ours *ours, const struct zr_frame *frame, struct zr_answ
 {
     struct zr_error error = {.status = ZR_OK};
     zr_arena_reset(&ours->answers, ARENA_BYTES);
-    enum zr_status status = zr_encode(&ours->answers, ours->team, &ours->subject.scene, frame, NULL, answer, &error);
+    enum zr_status status = zr_encode(&(struct zr_run){.arena = &ours->answers, .team = ours->team, .error = &error},
+                                      &ours->subject.scene, frame, answer);
     if (status == ZR_OK) return true;
     fprintf(stderr, "zr_encode: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "");
     return false;

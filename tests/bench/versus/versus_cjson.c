@@ -3,6 +3,7 @@
 #include <cjson/cJSON.h>
 #include <stdlib.h>
 
+#include "base/run.h"
 #include "base/team.h"
 #include "bench/input/documents.h"
 #include "bench/machine.h"
@@ -85,7 +86,8 @@ static const struct zr_scene *read_scene(struct zr_arena *arena, struct zr_team 
     struct zr_request request = {.format = format, .bytes = document->bytes, .size = document->size};
     struct zr_error error = {.status = ZR_OK};
     const struct zr_scene *scene = NULL;
-    enum zr_status status = zr_scene_read(arena, team, &request, &limits, &scene, &error);
+    enum zr_status status =
+        zr_scene_read(&(struct zr_run){.arena = arena, .team = team, .error = &error}, &request, &limits, &scene);
     if (status == ZR_OK) return scene;
     if (status != ZR_NO_MEMORY) bench_complain("zr_scene_read: %s: %s", error.items[0].pointer, error.items[0].detail);
     return NULL;

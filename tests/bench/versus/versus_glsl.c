@@ -2,13 +2,14 @@
 
 #include <stdlib.h>
 
-#include "bench/versus/likeness.h"
+#include "base/run.h"
 #include "bench/looks.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/shaded.h"
-#include "bench/versus/sides.h"
 #include "bench/texels.h"
+#include "bench/versus/likeness.h"
+#include "bench/versus/sides.h"
 #include "mesh/vertex_normals.h"
 #include "scene/defaults.h"
 
@@ -62,7 +63,7 @@ static bool give_normals(struct lit *lit)
 {
     struct zr_mesh *mesh = &lit->ours.subject.mesh;
     struct zr_arena *arena = &lit->theirs.arena;
-    const zr_vec4 *made = zr_vertex_normals_make(arena, NULL, NULL, mesh);
+    const zr_vec4 *made = zr_vertex_normals_make(&(struct zr_run){.arena = arena}, mesh);
     zr_vec3 *normals = zr_arena_alloc(arena, mesh->position_count, sizeof *normals);
     for (uint32_t i = 0; made && normals && i < mesh->position_count; i++) {
         normals[i] = (zr_vec3){made[i].x, made[i].y, made[i].z};

@@ -1,5 +1,6 @@
 #include "reference/generate/batches_builder.h"
 
+#include "base/run.h"
 #include "geometry/cap_hull.h"
 #include "geometry/clip.h"
 #include "geometry/face.h"
@@ -48,7 +49,8 @@ static bool find_creases(struct batches_builder *b, struct batches_source *s)
     s->smooth = zr_material_is_smooth(s->mesh, s->material);
     if (!s->has_vertex_normals) s->face_normal = zr_normal_of_face(s->mesh, s->face);
     if (s->has_vertex_normals && !s->creases && zr_mesh_lacks_normals(s->mesh))
-        s->creases = zr_crease_normals_make(b->arena, NULL, NULL, s->mesh, b->scene->picture.crease_degrees);
+        s->creases =
+            zr_crease_normals_make(&(struct zr_run){.arena = b->arena}, s->mesh, b->scene->picture.crease_degrees);
     return zr_arena_ok(b->arena);
 }
 
@@ -65,7 +67,8 @@ static bool find_normals(struct batches_builder *b, struct batches_source *s)
     if (b->options.purpose == BATCHES_OWNERS) return true;
     if (!s->has_vertex_normals && (channels || shading == ZR_SHADING_FLAT))
         s->face_normal = zr_normal_of_face(s->mesh, s->face);
-    if (s->has_vertex_normals && !s->computed) s->computed = zr_vertex_normals_make(b->arena, NULL, NULL, s->mesh);
+    if (s->has_vertex_normals && !s->computed)
+        s->computed = zr_vertex_normals_make(&(struct zr_run){.arena = b->arena}, s->mesh);
     return !s->has_vertex_normals || s->computed;
 }
 

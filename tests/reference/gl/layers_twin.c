@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "reference/gl/reference_blend.h"
 #include "reference/gl/reference_program.h"
 #include "render/pass.h"
@@ -304,7 +305,8 @@ uint64_t layers_twin_compare(struct zr_arena *arena, struct zr_team *team, const
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     const uint64_t all = (uint64_t)width * height;
     uint64_t different = 0;
-    if (!pass || !tile || zr_pass_make(arena, team, &desc, NULL, pass) != ZR_OK) return all;
+    if (!pass || !tile || zr_pass_make(&(struct zr_run){.arena = arena, .team = team}, &desc, pass) != ZR_OK)
+        return all;
     for (uint32_t number = 0; number < zr_tile_count(width, height); number++) {
         struct zr_layers *blended;
         if (!zr_tile_find_visible(&pass->tiles, number, NULL, tile) ||

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/run.h"
 #include "cost/cost.h"
 #include "render_request.h"
 #include "scene/camera/resolved_view.h"
@@ -27,12 +28,16 @@ struct drawn_picture picture_draw(struct zr_arena *arena, struct zr_team *team, 
     const struct zr_resolved_view *resolved = NULL;
     struct drawn_picture drawn = {NULL, NULL};
     struct zr_error error = {.count = 0};
-    enum zr_status status = zr_scene_read(arena, team, &request, &limits, &drawn.scene, &error);
-    if (status == ZR_OK) status = zr_resolved_view_find(arena, team, drawn.scene, NULL, &resolved, &error);
+    enum zr_status status =
+        zr_scene_read(&(struct zr_run){.arena = arena, .team = team, .error = &error}, &request, &limits, &drawn.scene);
+    if (status == ZR_OK)
+        status = zr_resolved_view_find(&(struct zr_run){.arena = arena, .team = team, .error = &error}, drawn.scene,
+                                       &resolved);
     if (status == ZR_OK) {
         const struct zr_cost cost = zr_scene_cost(drawn.scene, resolved);
         const size_t used = arena->used;
-        status = zr_render(arena, team, drawn.scene, resolved, NULL, &drawn.frame, &error);
+        status = zr_render(&(struct zr_run){.arena = arena, .team = team, .error = &error}, drawn.scene, resolved,
+                           &drawn.frame);
         if (status == ZR_OK) check_cost(&cost, arena->peak - used, text);
     }
     if (status != ZR_OK)

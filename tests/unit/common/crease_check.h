@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "mesh/crease_normals.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
@@ -31,7 +32,7 @@ static inline float any(void)
 
 static inline const zr_vec4 *make(struct zr_team *team, const struct zr_mesh *mesh, float degrees)
 {
-    const zr_vec4 *normals = zr_crease_normals_make(&arena, team, NULL, mesh, degrees);
+    const zr_vec4 *normals = zr_crease_normals_make(&(struct zr_run){.arena = &arena, .team = team}, mesh, degrees);
     assert_non_null(normals);
     return normals;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "core.h"
 #include "lines/window_mesh.h"
 #include "render_request.h"
@@ -21,7 +22,8 @@ static inline const struct zr_scene *model_of_text(struct zr_arena *arena, const
     const struct zr_limits limits = zr_limits_default();
     const struct zr_scene *scene = NULL;
     struct zr_error error = {0};
-    if (zr_scene_read(arena, NULL, &request, &limits, &scene, &error) != ZR_OK) fail_msg("%s", error.items[0].detail);
+    if (zr_scene_read(&(struct zr_run){.arena = arena, .error = &error}, &request, &limits, &scene) != ZR_OK)
+        fail_msg("%s", error.items[0].detail);
     return scene;
 }
 
@@ -65,11 +67,15 @@ static inline struct drawn_model model_in_window(struct zr_arena *arena, struct 
     const struct zr_bounds bounds = zr_bounds_of(scene, NULL, NULL);
     view.width = width;
     view.height = height;
-    assert_int_equal(zr_camera_resolve(scene, &view, &bounds, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_camera_resolve(&(struct zr_run){.error = &error}, scene, &view, &bounds, &camera), ZR_OK);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        assert_int_equal(zr_edge_mesh_make(arena, team, NULL, &scene->meshes[i], &model.tables[i]), ZR_OK);
+        assert_int_equal(
+            zr_edge_mesh_make(&(struct zr_run){.arena = arena, .team = team}, &scene->meshes[i], &model.tables[i]),
+            ZR_OK);
     const struct zr_window_view window = zr_window_view_make(&camera, &bounds, width, height);
-    assert_int_equal(zr_window_mesh_make(arena, team, NULL, scene, model.tables, &window, &model.mesh), ZR_OK);
+    assert_int_equal(
+        zr_window_mesh_make(&(struct zr_run){.arena = arena, .team = team}, scene, model.tables, &window, &model.mesh),
+        ZR_OK);
     return model;
 }
 

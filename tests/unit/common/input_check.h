@@ -2,6 +2,7 @@
 #ifndef ZR_TESTS_INPUT_CHECK_H
 #define ZR_TESTS_INPUT_CHECK_H
 
+#include "base/run.h"
 #include "core.h"
 #include "guarded.h"
 #include "render_request.h"
@@ -32,7 +33,8 @@ static inline struct reading *read_by_team(struct zr_team *team, struct zr_reque
     reading->body = guarded_copy(bytes, size);
     request.bytes = reading->body.bytes;
     request.size = size;
-    reading->status = zr_scene_read(&reading->arena, team, &request, &limits, &reading->scene, &reading->error);
+    reading->status = zr_scene_read(&(struct zr_run){.arena = &reading->arena, .team = team, .error = &reading->error},
+                                    &request, &limits, &reading->scene);
     return reading;
 }
 

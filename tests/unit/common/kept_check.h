@@ -2,9 +2,10 @@
 #ifndef ZR_TESTS_KEPT_CHECK_H
 #define ZR_TESTS_KEPT_CHECK_H
 
-#include "request/change.h"
+#include "base/run.h"
 #include "guarded.h"
 #include "input_check.h"
+#include "request/change.h"
 
 struct keeping {
     struct zr_arena arena, other;
@@ -24,7 +25,8 @@ static inline struct keeping *keep(struct zr_request request, const void *bytes,
     request.size = size;
     zr_arena_init(&keeping->arena, (size_t)1 << 28);
     zr_arena_init(&keeping->other, (size_t)1 << 28);
-    if (zr_scene_keep(&keeping->arena, NULL, &request, &limits, &keeping->kept, &error) != ZR_OK)
+    if (zr_scene_keep(&(struct zr_run){.arena = &keeping->arena, .error = &error}, &request, &limits, &keeping->kept) !=
+        ZR_OK)
         fail_msg("%s: %s", error.items[0].pointer, error.items[0].detail);
     guarded_free(&body);
     return keeping;
@@ -35,7 +37,8 @@ static inline enum zr_status keeping_change(struct keeping *keeping, struct zr_r
 {
     struct zr_error error = {.count = 0};
     zr_arena_reset(&keeping->other, 0);
-    return zr_scene_change(&keeping->other, NULL, keeping->kept, &change, &keeping->scene, &error);
+    return zr_scene_change(&(struct zr_run){.arena = &keeping->other, .error = &error}, keeping->kept, &change,
+                           &keeping->scene);
 }
 
 static inline void keeping_free(struct keeping *keeping)

@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "base/run.h"
 #include "geometry/viewport.h"
 #include "json_check.h"
 #include "scene/camera/camera.h"
@@ -36,8 +37,8 @@ static inline struct shot shoot(const char *window, const char *meshes, const ch
     snprintf(text, sizeof text, "{\"window\": %s, \"meshes\": [%s], \"view\": {%s}}", window, meshes, view);
     struct shot shot = {.reading = read_scene(text)};
     struct zr_bounds bounds = zr_bounds_of(shot.reading->scene, NULL, NULL);
-    shot.status = zr_camera_resolve(shot.reading->scene, &shot.reading->scene->views[0], &bounds, NULL, NULL,
-                                    &shot.camera, &shot.error);
+    shot.status = zr_camera_resolve(&(struct zr_run){.error = &shot.error}, shot.reading->scene,
+                                    &shot.reading->scene->views[0], &bounds, &shot.camera);
     return shot;
 }
 

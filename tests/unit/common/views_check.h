@@ -6,13 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "render_request.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
-#include "views/views.h"
 #include "views/view_scene.h"
+#include "views/views.h"
 
 TEST_ARENA((size_t)1 << 29)
 
@@ -34,8 +35,10 @@ static inline enum zr_status read_views(struct zr_team *team, struct zr_request 
 {
     limits = zr_limits_default();
     *error = (struct zr_error){0};
-    enum zr_status status = zr_views_read(&arena, team, &request, &limits, views, error);
-    if (status == ZR_OK && views->set) status = zr_views_plan(&arena, team, views, NULL, error);
+    enum zr_status status =
+        zr_views_read(&(struct zr_run){.arena = &arena, .team = team, .error = error}, &request, &limits, views);
+    if (status == ZR_OK && views->set)
+        status = zr_views_plan(&(struct zr_run){.arena = &arena, .team = team, .error = error}, views);
     return status;
 }
 
@@ -46,7 +49,8 @@ static inline struct zr_files draw_with(struct zr_team *team, struct zr_request 
     struct zr_files files = {.count = 0};
     enum zr_status status = read_views(team, request, views, &error);
     assert_true(status != ZR_OK || views->set);
-    if (status == ZR_OK) status = zr_views_draw(&arena, team, views, NULL, &files, &error);
+    if (status == ZR_OK)
+        status = zr_views_draw(&(struct zr_run){.arena = &arena, .team = team, .error = &error}, views, &files);
     if (status != ZR_OK) fail_msg("%d %s: %s", (int)status, error.items[0].pointer, error.items[0].detail);
     return files;
 }
@@ -64,9 +68,11 @@ static inline const struct zr_frame *draw_alone(const char *text, struct zr_file
     const struct zr_frame *frame = NULL;
     struct zr_error error = {0};
     limits = zr_limits_default();
-    enum zr_status status = zr_scene_read(&arena, NULL, &request, &limits, &scene, &error);
-    if (status == ZR_OK) status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error);
-    if (status == ZR_OK) status = zr_encode_files(&arena, NULL, scene, frame, NULL, NULL, files, &error);
+    enum zr_status status =
+        zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene);
+    if (status == ZR_OK) status = zr_render(&(struct zr_run){.arena = &arena, .error = &error}, scene, NULL, &frame);
+    if (status == ZR_OK)
+        status = zr_encode_files(&(struct zr_run){.arena = &arena, .error = &error}, scene, frame, NULL, files);
     if (status != ZR_OK) fail_msg("%s: %s: %s", text, error.items[0].pointer, error.items[0].detail);
     return frame;
 }
@@ -89,7 +95,7 @@ static inline const struct zr_scene *scene_of_view(const struct zr_views *views,
 {
     const struct zr_scene *scene;
     struct zr_error error = {0};
-    assert_int_equal(zr_view_scene(views, number, &arena, NULL, NULL, &scene, &error), ZR_OK);
+    assert_int_equal(zr_view_scene(&(struct zr_run){.arena = &arena, .error = &error}, views, number, &scene), ZR_OK);
     return scene;
 }
 

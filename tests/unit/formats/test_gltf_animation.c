@@ -1,4 +1,5 @@
 /* Tests the poses of animations of glTF files: curves, times, targets and refusals. */
+#include "base/run.h"
 #include "scene/camera/view_set.h"
 #include "support/tests.h"
 #include "unit/common/input_check.h"
@@ -214,7 +215,9 @@ TEST(a_frame_equals_the_file_at_its_time)
                 read_over((struct zr_request){.animation = cases[i].name, .time = cases[i].times[k]}, text);
             assert_read(alone);
             zr_arena_reset(&keeping->other, 0);
-            assert_int_equal(zr_scene_frame(&keeping->other, NULL, keeping->kept, k, NULL, &frame, &error), ZR_OK);
+            assert_int_equal(
+                zr_scene_frame(&(struct zr_run){.arena = &keeping->other, .error = &error}, keeping->kept, k, &frame),
+                ZR_OK);
             assert_same_scene(frame, alone->scene);
             assert_int_equal(frame->instance_count, alone->scene->instance_count);
             for (uint32_t n = 0; n < frame->instance_count; n++)

@@ -1,14 +1,15 @@
 /* Images that several threads decode before their materials are read: in scenes of JSON, glTF, OBJ and 3MF. */
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "render_request.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 #include "support/input/base64.h"
+#include "support/input/zip_file.h"
 #include "support/pictures/striped_images.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
-#include "support/input/zip_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -219,7 +220,8 @@ static struct outcome read_body(const struct kind *kind, const struct body *body
     struct zr_error error = {.count = 0};
     struct outcome outcome;
     zr_arena_reset(&arena, SIZE_MAX);
-    outcome.status = zr_scene_read(&arena, team, &request, &limits, &scene, &error);
+    outcome.status =
+        zr_scene_read(&(struct zr_run){.arena = &arena, .team = team, .error = &error}, &request, &limits, &scene);
     outcome.used = arena.used;
     outcome.peak = arena.peak;
     FILE *out = fmemopen(outcome.text, sizeof outcome.text, "w");

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/run.h"
 #include "raster/textbook/piece.h"
 #include "support/geometries.h"
 #include "support/tests.h"
@@ -155,7 +156,8 @@ TEST_AROUND(what_is_not_nearer_than_the_start_is_not_seen, open_arena, close_are
         struct zr_samples samples = {.width = 8, .height = 8, .depth = depth, .owner = owner};
         for (int i = 0; i < 64; i++)
             depth[i] = i % 8 < 4 ? 0.5f : 1.0f;
-        assert_int_equal(zr_visibility_of((enum zr_algorithm)a)(&arena, &test.geometry, NULL, &samples), ZR_OK);
+        assert_int_equal(
+            zr_visibility_of((enum zr_algorithm)a)(&(struct zr_run){.arena = &arena}, &test.geometry, &samples), ZR_OK);
         for (int i = 0; i < 64; i++) {
             assert_int_equal(owner[i], i % 8 < 4 ? 0 : 2);
             assert_true(depth[i] == 0.5f);
@@ -169,8 +171,8 @@ TEST_AROUND(a_request_that_is_cancelled_ends, open_arena, close_arena)
     make_cycle();
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
         struct zr_samples samples;
-        assert_int_equal(zr_visibility_window(&arena, &test.geometry, zr_visibility_of((enum zr_algorithm)a), 40, 40,
-                                              NULL, &cancel, &samples),
+        assert_int_equal(zr_visibility_window(&(struct zr_run){.arena = &arena, .cancel = &cancel}, &test.geometry,
+                                              zr_visibility_of((enum zr_algorithm)a), 40, 40, NULL, &samples),
                          ZR_CANCELLED);
     }
 }
@@ -187,8 +189,8 @@ TEST_AROUND(memory_that_ends_anywhere_is_said, open_arena, close_arena)
             struct zr_arena small;
             struct zr_samples samples;
             zr_arena_init(&small, ceiling);
-            status = zr_visibility_window(&small, &test.geometry, zr_visibility_of((enum zr_algorithm)a), 40, 40, NULL,
-                                          NULL, &samples);
+            status = zr_visibility_window(&(struct zr_run){.arena = &small}, &test.geometry,
+                                          zr_visibility_of((enum zr_algorithm)a), 40, 40, NULL, &samples);
             if (status == ZR_OK) assert_int_equal(samples_differ_at(&expected, &samples), 40 * 40);
             zr_arena_free(&small);
         }

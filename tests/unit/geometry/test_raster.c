@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "raster/binned_scene.h"
 #include "raster/halfspace.h"
 #include "raster/oddeven.h"
@@ -153,9 +154,9 @@ TEST(fragments_of_far_apart_owners_keep_them)
         struct zr_binned_scene visible;
         struct zr_team *team = zr_team_create(threads);
         zr_arena_init(&arena, 1 << 27);
-        assert_int_equal(
-            zr_binned_scene_make(&arena, team, &geometry, NULL, 2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, NULL, &visible),
-            ZR_OK);
+        assert_int_equal(zr_binned_scene_make(&(struct zr_run){.arena = &arena, .team = team}, &geometry, NULL,
+                                              2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, &visible),
+                         ZR_OK);
         draw_tile(&visible, 0, &tile);
         for (uint32_t p = 0; p < PIXELS; p++) {
             const uint32_t last = p - (COUNT - FEW) % PIXELS;

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
@@ -27,7 +28,7 @@ static enum zr_status draw(enum zr_algorithm algorithm, const struct zr_frame **
     test.scene.algorithm = algorithm;
     test.scene.views[0].outputs = outputs;
     test.scene.views[0].output_count = 2;
-    return zr_render(&arena, NULL, &test.scene, NULL, NULL, frame, &error);
+    return zr_render(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, NULL, frame);
 }
 
 static void assert_refused(enum zr_algorithm algorithm, const char *reason)

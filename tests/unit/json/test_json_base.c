@@ -1,6 +1,7 @@
 /* Scenes with a base: what is read, and what is drawn. */
-#include "unit/common/base_scenes.h"
+#include "base/run.h"
 #include "support/tests.h"
+#include "unit/common/base_scenes.h"
 
 TEST(base_is_seen_where_it_is_nearer_and_at_equal_depth)
 {
@@ -241,7 +242,9 @@ TEST(geometry_hidden_by_the_base_is_warned_of)
     assert_read(reading);
     struct zr_error error = {.count = 0};
     struct zr_answer answer;
-    assert_int_equal(zr_encode(&reading->arena, NULL, reading->scene, render(reading), NULL, &answer, &error), ZR_OK);
+    assert_int_equal(zr_encode(&(struct zr_run){.arena = &reading->arena, .error = &error}, reading->scene,
+                               render(reading), &answer),
+                     ZR_OK);
     assert_non_null(strstr(answer.warnings, "in front of the base"));
     reading_free(reading);
 }

@@ -1,4 +1,5 @@
 /* Scenes with a base that are refused for their view, outputs or size. Other refusals: tests/refusals/json-base.txt. */
+#include "base/run.h"
 #include "support/tests.h"
 #include "unit/common/base_scenes.h"
 
@@ -38,7 +39,9 @@ TEST(depth_in_an_oblique_projection_is_refused)
             "\"depth\":{\"asset\":\"d\"}") "}");
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_BAD_SCENE);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = &reading->arena, .error = &error}, reading->scene, NULL, &frame),
+        ZR_BAD_SCENE);
     assert_string_equal(error.items[0].pointer, "/base/depth");
     assert_non_null(strstr(error.items[0].detail, "give windowDepth"));
     reading_free(reading);

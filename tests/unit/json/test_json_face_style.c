@@ -1,6 +1,7 @@
 /* Face styles, lines and holes: what a scene says of how its faces are drawn. */
 #include "unit/common/json_check.h"
 
+#include "base/run.h"
 #include "shade/frame.h"
 #include "support/tests.h"
 
@@ -124,7 +125,9 @@ TEST(colours_of_one_polygon_do_not_change_another)
         struct reading *reading = read_scene(text);
         struct zr_error error = {.count = 0};
         const struct zr_frame *frame;
-        assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
+        assert_int_equal(
+            zr_render(&(struct zr_run){.arena = &reading->arena, .error = &error}, reading->scene, NULL, &frame),
+            ZR_OK);
         memcpy(bytes[i], frame->color, sizeof bytes[i]);
         reading_free(reading);
     }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/run.h"
 #include "shade/frame.h"
 #include "support/tests.h"
 
@@ -152,7 +153,8 @@ static const struct zr_frame *render(struct reading *reading)
 {
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame = NULL;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = &reading->arena, .error = &error}, reading->scene, NULL, &frame), ZR_OK);
     return frame;
 }
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/run.h"
 #include "scene/parts/nodes.h"
 #include "shade/frame.h"
 #include "support/tests.h"
@@ -214,7 +215,8 @@ static unsigned faces_seen(const char *text)
     struct reading *reading = read_scene(text);
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = &reading->arena, .error = &error}, reading->scene, NULL, &frame), ZR_OK);
     unsigned seen = 0;
     for (int i = 0; i < 64 * 64; i++)
         seen |= 1u << frame->face_id[i];

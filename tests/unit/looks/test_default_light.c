@@ -1,8 +1,9 @@
 /* A scene and a bare mesh without lights get the same ones. */
+#include "base/run.h"
 #include "scene/output.h"
-#include "unit/common/json_check.h"
 #include "shade/frame.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 #define CUBE                                                                                                           \
     "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1],[0,1,1]], "                               \
@@ -22,7 +23,8 @@ static void look_at(struct reading *reading, struct look *look)
     struct zr_error error = {0};
     *look = (struct look){.visible = 0};
     assert_read(reading);
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = &reading->arena, .error = &error}, reading->scene, NULL, &frame), ZR_OK);
     for (size_t i = 0; i < (size_t)frame->width * frame->height; i++) {
         uint32_t id = frame->face_id[i];
         if (id == 0) continue;

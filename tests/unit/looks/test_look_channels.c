@@ -2,10 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "scene/output.h"
-#include "unit/common/json_check.h"
 #include "shade/frame.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 /* A house with a hole in its wall, one smooth mesh without normals, one with, lines, and two materials. */
 #define SCENE_                                                                                                         \
@@ -50,7 +51,8 @@ static void draw(struct drawing *d, const char *outputs, const char *rest)
     assert_in_range(length, 1, TEXT_SIZE - 1);
     d->reading = read_scene(text);
     zr_arena_init(&d->arena, (size_t)1 << 28);
-    assert_int_equal(zr_render(&d->arena, NULL, d->reading->scene, NULL, NULL, &d->frame, &error), ZR_OK);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = &d->arena, .error = &error}, d->reading->scene, NULL, &d->frame), ZR_OK);
 }
 
 static void end(struct drawing *d)
@@ -119,7 +121,7 @@ static const struct zr_frame *draw_scaled(struct reading **reading, struct zr_ar
              s, 0.8 * s, 0.6 * s, -0.6 * s, 0.8 * s, -0.5 * s, 0.1 * s, -4 * s);
     *reading = read_scene(text);
     zr_arena_init(in, (size_t)1 << 28);
-    assert_int_equal(zr_render(in, NULL, (*reading)->scene, NULL, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(zr_render(&(struct zr_run){.arena = in, .error = &error}, (*reading)->scene, NULL, &frame), ZR_OK);
     return frame;
 }
 

@@ -1,12 +1,13 @@
 /* Values and small stages of looks of version 2: what they add to a picture. */
-#include "unit/common/json_check.h"
-#include "unit/common/lit_samples.h"
+#include "base/run.h"
 #include "scene/camera/extent_view.h"
 #include "scene/looks.h"
 #include "shade/frame.h"
 #include "shade/models/xray.h"
 #include "support/isas.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
+#include "unit/common/lit_samples.h"
 
 static double decode(double encoded)
 {
@@ -26,7 +27,9 @@ static const struct zr_frame *draw(struct reading *reading, struct zr_arena *are
     const struct zr_frame *frame;
     assert_read(reading);
     zr_arena_init(arena, (size_t)1 << 28);
-    assert_int_equal(zr_render(arena, team, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = arena, .team = team, .error = &error}, reading->scene, NULL, &frame),
+        ZR_OK);
     return frame;
 }
 

@@ -1,8 +1,9 @@
 /* Looks: lamps, materials, views, and what needs linear light. */
-#include "unit/common/looks_check.h"
+#include "base/run.h"
 #include "scene/camera/resolved_view.h"
 #include "shade/frame.h"
 #include "support/tests.h"
+#include "unit/common/looks_check.h"
 
 /* ---- lamps ---- */
 
@@ -99,7 +100,8 @@ TEST(a_lamp_behind_has_no_highlight)
         "\"normals\": [[0,-0.96,-0.25],[0,-0.96,-0.25],[0,-0.96,-0.25]]}]}");
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = &reading->arena, .error = &error}, reading->scene, NULL, &frame), ZR_OK);
     int most = 0;
     for (int i = 0; i < 4 * 8 * 8; i++)
         if (i % 4 < 3 && frame->color[i] > most) most = frame->color[i];
@@ -177,7 +179,8 @@ TEST(views_with_z_up_are_turned_ones)
             const struct zr_resolved_view *resolved;
             struct zr_error error = {.count = 0};
             assert_read(reading);
-            assert_int_equal(zr_resolved_view_find(&reading->arena, NULL, reading->scene, NULL, &resolved, &error),
+            assert_int_equal(zr_resolved_view_find(&(struct zr_run){.arena = &reading->arena, .error = &error},
+                                                   reading->scene, &resolved),
                              ZR_OK);
             const zr_vec4 points[2][3] = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}},
                                           {{1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}}};

@@ -3,10 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "unit/common/json_check.h"
+#include "base/run.h"
 #include "shade/frame.h"
 #include "support/random.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 struct drawing {
     struct reading *reading;
@@ -19,7 +20,9 @@ static void draw(struct zr_team *team, const char *text, struct drawing *d)
     struct zr_error error = {.status = ZR_OK};
     d->reading = read_scene(text);
     zr_arena_init(&d->arena, (size_t)1 << 28);
-    assert_int_equal(zr_render(&d->arena, team, d->reading->scene, NULL, NULL, &d->frame, &error), ZR_OK);
+    assert_int_equal(zr_render(&(struct zr_run){.arena = &d->arena, .team = team, .error = &error}, d->reading->scene,
+                               NULL, &d->frame),
+                     ZR_OK);
 }
 
 static void end(struct drawing *d)

@@ -1,6 +1,7 @@
 /* Normals of corners of bodies that are known: sharp where they should be, and smooth elsewhere. */
-#include "unit/common/crease_check.h"
+#include "base/run.h"
 #include "support/tests.h"
+#include "unit/common/crease_check.h"
 
 static struct zr_mesh soup_of(const zr_vec4 *positions, uint32_t triangles)
 {
@@ -141,7 +142,7 @@ TEST_AROUND(without_memory_there_are_none, empty_arena, NULL)
     struct zr_arena small;
     for (size_t bytes = 0; bytes <= 1024; bytes += 512) {
         zr_arena_init(&small, bytes);
-        assert_null(zr_crease_normals_make(&small, NULL, NULL, &mesh, 35));
+        assert_null(zr_crease_normals_make(&(struct zr_run){.arena = &small}, &mesh, 35));
         zr_arena_free(&small);
     }
 }
@@ -151,7 +152,8 @@ TEST_AROUND(what_was_cancelled_ends_early, empty_arena, NULL)
     const struct zr_mesh mesh = cone_of(ROUND_MOST);
     const struct zr_cancel cancel = {.raised = true};
     struct zr_team *team = zr_team_create(3);
-    assert_non_null(zr_crease_normals_make(&arena, team, &cancel, &mesh, 35));
+    assert_non_null(
+        zr_crease_normals_make(&(struct zr_run){.arena = &arena, .team = team, .cancel = &cancel}, &mesh, 35));
     assert_int_equal(arena.used, 3 * ROUND_MOST * sizeof(zr_vec4));
     zr_team_destroy(team);
 }

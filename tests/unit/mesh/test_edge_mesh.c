@@ -1,15 +1,16 @@
 /* Edges of a mesh: which triangles meet at which welded edge, compared with a count by brute force. */
-#include "unit/common/drawn_models.h"
+#include "base/run.h"
 #include "mesh/edge_mesh.h"
 #include "support/random.h"
 #include "support/test_arena.h"
+#include "unit/common/drawn_models.h"
 
 TEST_ARENA(1u << 30)
 
 static struct zr_edge_mesh make(const struct zr_mesh *mesh, struct zr_team *team)
 {
     struct zr_edge_mesh out;
-    assert_int_equal(zr_edge_mesh_make(&arena, team, NULL, mesh, &out), ZR_OK);
+    assert_int_equal(zr_edge_mesh_make(&(struct zr_run){.arena = &arena, .team = team}, mesh, &out), ZR_OK);
     return out;
 }
 

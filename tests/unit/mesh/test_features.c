@@ -1,7 +1,8 @@
 /* Lines of a mesh before visibility: borders, contours and creases, counted beside those of vtkFeatureEdges. */
+#include "base/run.h"
 #include "lines/features.h"
-#include "unit/common/drawn_models.h"
 #include "support/test_arena.h"
+#include "unit/common/drawn_models.h"
 
 TEST_ARENA(1u << 30)
 
@@ -10,7 +11,7 @@ static const struct zr_feature_rule usual = {.crease_degrees = 30, .keeps_noise 
 
 static uint8_t *find(const struct drawn_model *model, struct zr_team *team, const struct zr_feature_rule *rule)
 {
-    uint8_t *features = zr_features_find(&arena, team, NULL, &model->mesh, rule);
+    uint8_t *features = zr_features_find(&(struct zr_run){.arena = &arena, .team = team}, &model->mesh, rule);
     assert_non_null(features);
     return features;
 }

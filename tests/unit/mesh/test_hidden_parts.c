@@ -1,11 +1,12 @@
 /* Hidden parts of lines, compared with each line against each triangle, without cells. Also what makes the lines:
  * chains of creases, and intersections of pieces. */
+#include "base/run.h"
 #include "lines/chains.h"
 #include "lines/hidden_parts.h"
 #include "lines/intersections.h"
-#include "unit/common/drawn_models.h"
 #include "support/random.h"
 #include "support/test_arena.h"
+#include "unit/common/drawn_models.h"
 
 TEST_ARENA(1u << 30)
 
@@ -23,12 +24,15 @@ static struct drawing draw_scene(const struct zr_scene *scene, struct zr_team *t
     const struct zr_feature_rule rule = {.crease_degrees = 30, .keeps_noise = true};
     struct drawing d = {.model = model_in_window(&arena, team, scene, width, height)};
     const struct zr_window_mesh *mesh = &d.model.mesh;
-    uint8_t *features = zr_features_find(&arena, team, NULL, mesh, &rule);
+    uint8_t *features = zr_features_find(&(struct zr_run){.arena = &arena, .team = team}, mesh, &rule);
     assert_int_equal(zr_chains_keep(&arena, NULL, mesh, features), ZR_OK);
     assert_int_equal(zr_lines_make(&arena, NULL, mesh, features, &d.lines), ZR_OK);
-    assert_int_equal(zr_cells_make(&arena, team, NULL, mesh, &d.cells), ZR_OK);
-    assert_int_equal(zr_intersections_add(&arena, team, NULL, mesh, &d.cells, &d.lines), ZR_OK);
-    assert_int_equal(zr_hidden_parts_find(&arena, team, NULL, mesh, &d.cells, &d.lines, &d.hidden), ZR_OK);
+    assert_int_equal(zr_cells_make(&(struct zr_run){.arena = &arena, .team = team}, mesh, &d.cells), ZR_OK);
+    assert_int_equal(zr_intersections_add(&(struct zr_run){.arena = &arena, .team = team}, mesh, &d.cells, &d.lines),
+                     ZR_OK);
+    assert_int_equal(
+        zr_hidden_parts_find(&(struct zr_run){.arena = &arena, .team = team}, mesh, &d.cells, &d.lines, &d.hidden),
+        ZR_OK);
     return d;
 }
 

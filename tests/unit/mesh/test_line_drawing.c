@@ -1,11 +1,12 @@
 /* Lines from the mesh behind visibility: links, steps of contours, polylines, strokes, ink, and whole drawings. */
+#include "base/run.h"
 #include "lines/contour_steps.h"
 #include "lines/drawing.h"
 #include "lines/ink.h"
 #include "lines/links.h"
-#include "unit/common/drawn_models.h"
 #include "support/random.h"
 #include "support/test_arena.h"
+#include "unit/common/drawn_models.h"
 
 TEST_ARENA(1u << 30)
 
@@ -176,7 +177,7 @@ static float opacity[SIDE * SIDE];
 static void draw_strokes(struct zr_line_piece *pieces, uint32_t count, float w)
 {
     const struct zr_polylines lines = join(pieces, count);
-    assert_int_equal(zr_strokes_draw(&arena, NULL, NULL, &lines, w, SIDE, SIDE, opacity), ZR_OK);
+    assert_int_equal(zr_strokes_draw(&(struct zr_run){.arena = &arena}, &lines, w, SIDE, SIDE, opacity), ZR_OK);
 }
 
 static float at(int x, int y)
@@ -234,7 +235,7 @@ TEST(ink_is_laid_over_stored_values)
 {
     const float half[] = {0.5f, 0.0f, 1.0f, 0.5f}; /* one column, from the lowest pixel */
     uint8_t pixels[4][4] = {{0, 0, 0, 0}, {200, 100, 0, 255}, {7, 8, 9, 10}, {255, 255, 255, 255}};
-    zr_ink_lay(NULL, NULL, half, (zr_vec3){0, 0.2f, 1}, 1, 4, &pixels[0][0]);
+    zr_ink_lay(&(struct zr_run){.arena = NULL}, half, (zr_vec3){0, 0.2f, 1}, 1, 4, &pixels[0][0]);
     assert_memory_equal(pixels[0], ((const uint8_t[]){0, 51, 255, 128}), 4);
     assert_memory_equal(pixels[1], ((const uint8_t[]){0, 51, 255, 255}), 4);
     assert_memory_equal(pixels[2], ((const uint8_t[]){7, 8, 9, 10}), 4);
@@ -253,17 +254,17 @@ static float *draw_model(struct zr_team *team, const struct zr_scene *scene, uin
     float *out = zr_arena_alloc(&arena, (size_t)width * height, sizeof *out);
     view.width = width;
     view.height = height;
-    assert_int_equal(zr_camera_resolve(scene, &view, &bounds, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_camera_resolve(&(struct zr_run){.error = &error}, scene, &view, &bounds, &camera), ZR_OK);
     const struct zr_drawing_desc desc = {.scene = scene,
                                          .camera = &camera,
                                          .bounds = &bounds,
                                          .width = width,
                                          .height = height,
                                          .rule = {.crease_degrees = 30}};
-    assert_int_equal(zr_drawing_make(&arena, team, NULL, &desc, &drawing), ZR_OK);
-    assert_int_equal(
-        zr_strokes_draw(&arena, team, NULL, &drawing.polylines, zr_stroke_width(0, width, height), width, height, out),
-        ZR_OK);
+    assert_int_equal(zr_drawing_make(&(struct zr_run){.arena = &arena, .team = team}, &desc, &drawing), ZR_OK);
+    assert_int_equal(zr_strokes_draw(&(struct zr_run){.arena = &arena, .team = team}, &drawing.polylines,
+                                     zr_stroke_width(0, width, height), width, height, out),
+                     ZR_OK);
     return out;
 }
 
@@ -393,7 +394,8 @@ TEST(a_raised_cancel_ends_it)
                                          .width = 64,
                                          .height = 64,
                                          .rule = {.crease_degrees = 30}};
-    assert_int_equal(zr_drawing_make(&arena, NULL, &cancel, &desc, &drawing), ZR_CANCELLED);
+    assert_int_equal(zr_drawing_make(&(struct zr_run){.arena = &arena, .cancel = &cancel}, &desc, &drawing),
+                     ZR_CANCELLED);
 }
 
 TEST(a_full_arena_is_told)
@@ -413,7 +415,7 @@ TEST(a_full_arena_is_told)
         struct zr_arena small;
         struct zr_drawing drawing;
         zr_arena_init_within(&small, room, size);
-        const enum zr_status status = zr_drawing_make(&small, NULL, NULL, &desc, &drawing);
+        const enum zr_status status = zr_drawing_make(&(struct zr_run){.arena = &small}, &desc, &drawing);
         assert_true(status == ZR_OK || status == ZR_NO_MEMORY);
         made += status == ZR_OK;
     }

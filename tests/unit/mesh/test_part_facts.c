@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "mesh/closed_parts.h"
 #include "render/frame_parts.h"
 #include "support/random.h"
@@ -48,7 +49,8 @@ static const struct zr_part_facts *find_facts(struct zr_team *team)
 {
     const struct zr_part_list list = zr_part_list_make(&arena, &placed.test.scene, 100);
     struct zr_part_facts *facts = zr_arena_alloc(&arena, list.count, sizeof *facts);
-    assert_int_equal(zr_part_facts_find(&arena, team, NULL, &placed.test.scene, &list, facts), ZR_OK);
+    assert_int_equal(
+        zr_part_facts_find(&(struct zr_run){.arena = &arena, .team = team}, &placed.test.scene, &list, facts), ZR_OK);
     return facts;
 }
 
@@ -420,7 +422,7 @@ TEST_AROUND(closed_parts_are_those_of_a_plain_count, open_arena, close_arena)
                                      .part_count = RANDOM_PARTS,
                                      .part_names = names};
         find_closed_plainly(&mesh, want);
-        assert_true(zr_closed_parts_find(&arena, NULL, NULL, &mesh, found, NULL));
+        assert_true(zr_closed_parts_find(&(struct zr_run){.arena = &arena}, &mesh, found, NULL));
         for (int p = 0; p < RANDOM_PARTS; p++) {
             if (found[p] != want[p]) fail_msg("round %d, part %d", round, p);
             closed_count += found[p];
@@ -484,10 +486,13 @@ TEST_AROUND(a_full_arena_and_a_cancelled_request_are_told, open_arena, close_are
     placed.meshes[0] = sphere();
     const struct zr_part_list list = zr_part_list_make(&arena, &placed.test.scene, 100);
     cancel.raised = true;
-    assert_int_equal(zr_part_facts_find(&arena, NULL, &cancel, &placed.test.scene, &list, &facts), ZR_CANCELLED);
+    assert_int_equal(
+        zr_part_facts_find(&(struct zr_run){.arena = &arena, .cancel = &cancel}, &placed.test.scene, &list, &facts),
+        ZR_CANCELLED);
     struct zr_arena small;
     zr_arena_init(&small, 1 << 20);
-    assert_int_equal(zr_part_facts_find(&small, NULL, NULL, &placed.test.scene, &list, &facts), ZR_NO_MEMORY);
+    assert_int_equal(zr_part_facts_find(&(struct zr_run){.arena = &small}, &placed.test.scene, &list, &facts),
+                     ZR_NO_MEMORY);
     zr_arena_free(&small);
 }
 

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/run.h"
 #include "mesh/closed_parts.h"
 #include "support/random.h"
 #include "support/solids.h"
@@ -17,7 +18,7 @@ static struct zr_sectioned cut_mesh(const struct zr_mesh *mesh, const struct zr_
 {
     struct zr_sectioned out;
     const uint8_t parts[] = {ZR_SLICE_CLOSED};
-    assert_int_equal(zr_sectioned_make(&arena, NULL, NULL, mesh, parts, cut, &out), ZR_OK);
+    assert_int_equal(zr_sectioned_make(&(struct zr_run){.arena = &arena}, mesh, parts, cut, &out), ZR_OK);
     return out;
 }
 
@@ -80,7 +81,7 @@ static void assert_both_sides(const struct zr_mesh *mesh, const struct zr_sectio
     if (exactly && fabs(cap_area(&kept.mesh) - cap_area(&gone.mesh)) > 2e-5)
         fail_msg("%s: caps of %.9g and %.9g", name, cap_area(&kept.mesh), cap_area(&gone.mesh));
     uint8_t closed = 1;
-    assert_true(zr_closed_parts_find(&arena, NULL, NULL, &kept.mesh, &closed, NULL));
+    assert_true(zr_closed_parts_find(&(struct zr_run){.arena = &arena}, &kept.mesh, &closed, NULL));
     if (!closed && kept.mesh.face_count > 0 && sign > 0.0) fail_msg("%s: the kept side is open", name);
 }
 
@@ -229,7 +230,8 @@ TEST_AROUND(a_cancelled_section_stops, open_arena, close_arena)
     const struct zr_section_cut cut = {.plane_count = 1, .planes = {random_plane()}};
     const uint8_t parts[] = {ZR_SLICE_CLOSED};
     struct zr_sectioned out;
-    assert_int_equal(zr_sectioned_make(&arena, NULL, &cancel, &mesh, parts, &cut, &out), ZR_CANCELLED);
+    assert_int_equal(zr_sectioned_make(&(struct zr_run){.arena = &arena, .cancel = &cancel}, &mesh, parts, &cut, &out),
+                     ZR_CANCELLED);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/run.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/solids.h"
@@ -159,7 +160,8 @@ static struct zr_error render_error(void)
 {
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
-    assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, NULL, &frame, &error), ZR_BAD_SCENE);
+    assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, NULL, &frame),
+                     ZR_BAD_SCENE);
     return error;
 }
 

@@ -1,6 +1,7 @@
 /* Shells of the parts of a mesh: which surfaces are one, which are closed, and which are turned inwards. */
 #include <string.h>
 
+#include "base/run.h"
 #include "mesh/closed_parts.h"
 #include "mesh/shells.h"
 #include "support/random.h"
@@ -96,7 +97,8 @@ static void check(const char *what, uint32_t outward, uint32_t inward, uint32_t 
     for (int i = 0; i < 2; i++) {
         struct zr_shells found;
         uint8_t is_closed;
-        assert_true(zr_closed_parts_find(&arena, i ? team : NULL, NULL, &mesh, &is_closed, &found));
+        assert_true(zr_closed_parts_find(&(struct zr_run){.arena = &arena, .team = i ? team : NULL}, &mesh, &is_closed,
+                                         &found));
         if (found.outward != outward || found.inward != inward || found.flat != flat || found.open != open)
             fail_msg("%s: outward %u, inward %u, flat %u, open %u", what, found.outward, found.inward, found.flat,
                      found.open);
@@ -160,7 +162,7 @@ TEST_AROUND(open_and_flat_shells_enclose_nothing, open_arena, close_arena)
     struct zr_shells found;
     uint8_t is_closed;
     const struct zr_mesh mesh = mesh_of_soup(1);
-    assert_true(zr_closed_parts_find(&arena, NULL, NULL, &mesh, &is_closed, &found));
+    assert_true(zr_closed_parts_find(&(struct zr_run){.arena = &arena}, &mesh, &is_closed, &found));
     assert_int_equal(found.open + found.outward + found.flat, 0); /* a face without area */
 }
 
@@ -228,7 +230,7 @@ TEST_AROUND(shells_are_those_of_a_plain_search, open_arena, close_arena)
         struct zr_shells found[PARTS];
         uint8_t is_closed[PARTS];
         const struct zr_mesh mesh = mesh_of_soup(PARTS);
-        assert_true(zr_closed_parts_find(&arena, NULL, NULL, &mesh, is_closed, found));
+        assert_true(zr_closed_parts_find(&(struct zr_run){.arena = &arena}, &mesh, is_closed, found));
         for (int p = 0; p < PARTS; p++) {
             const uint32_t closed = found[p].outward + found[p].inward + found[p].flat;
             if (closed != wanted[p][0] || found[p].open != wanted[p][1])

@@ -4,10 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "unit/common/guarded.h"
+#include "base/run.h"
 #include "mesh/face_normals.h"
 #include "support/random.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
 
 /* More faces than are held at once. */
 enum { FACES = 70001, CORNERS_MOST = 5, POSITIONS_MOST = 20000 };
@@ -49,7 +50,7 @@ TEST(larger_faces_weigh_more)
         .position_count = 4, .positions = p, .face_count = 2, .face_offsets = offsets, .indices = indices};
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 20);
-    zr_vec4 *n = zr_vertex_normals_make(&arena, NULL, NULL, &mesh);
+    zr_vec4 *n = zr_vertex_normals_make(&(struct zr_run){.arena = &arena}, &mesh);
     assert_true(fabsf(n[0].z / n[0].x - 4.0f) < 1e-5f);
     assert_true(fabsf(n[0].x * n[0].x + n[0].y * n[0].y + n[0].z * n[0].z - 1.0f) < 1e-6f);
     assert_true(n[2].z == 1.0f && n[3].x == 1.0f);
@@ -63,7 +64,7 @@ TEST(what_was_cancelled_ends_early)
     struct zr_arena arena;
     make_subject(&subject, 10, 10, true);
     zr_arena_init(&arena, 1 << 20);
-    const zr_vec4 *n = zr_vertex_normals_make(&arena, NULL, &cancel, &subject.mesh);
+    const zr_vec4 *n = zr_vertex_normals_make(&(struct zr_run){.arena = &arena, .cancel = &cancel}, &subject.mesh);
     for (int i = 0; i < 10; i++)
         assert_true(n[i].x == 0.0f && n[i].y == 0.0f && n[i].z == 0.0f);
     zr_arena_free(&arena);

@@ -6,9 +6,10 @@
 #include <webp/decode.h>
 
 #include "base/cancel.h"
+#include "base/run.h"
 #include "output/images/lossy.h"
-#include "output/pfm.h"
 #include "output/images/tiff.h"
+#include "output/pfm.h"
 #include "support/pictures/jpeg.h"
 #include "support/random.h"
 #include "support/test_arena.h"
@@ -130,7 +131,8 @@ TEST(six_tries_find_the_best_quality_within_three)
         for (uint32_t best = 0; best <= image.quality; best++) {
             struct zr_lossy_file file;
             tries = 0;
-            assert_int_equal(zr_lossy_fit(write_by_steps, NULL, &image, 100 * best + 99, NULL, &file), ZR_OK);
+            assert_int_equal(
+                zr_lossy_fit(&(struct zr_run){.arena = NULL}, write_by_steps, &image, 100 * best + 99, &file), ZR_OK);
             assert_in_range(tries, 1, ZR_LOSSY_TRIES);
             if (best == 0) {
                 assert_null(file.bytes);
@@ -152,10 +154,10 @@ TEST_AROUND(real_files_fit_their_bytes, open_arena, close_arena)
         at.quality = 40;
         const size_t most = write_whole(writes[i], &at).size;
         struct zr_lossy_file file;
-        assert_int_equal(zr_lossy_fit(writes[i], &arena, &image, most, NULL, &file), ZR_OK);
+        assert_int_equal(zr_lossy_fit(&(struct zr_run){.arena = &arena}, writes[i], &image, most, &file), ZR_OK);
         assert_non_null(file.bytes);
         assert_true(file.size <= most && file.quality >= 37);
-        assert_int_equal(zr_lossy_fit(writes[i], &arena, &image, 20, NULL, &file), ZR_OK);
+        assert_int_equal(zr_lossy_fit(&(struct zr_run){.arena = &arena}, writes[i], &image, 20, &file), ZR_OK);
         assert_true(!file.bytes && file.size > 20 && file.quality == 1);
     }
 }

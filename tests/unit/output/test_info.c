@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "output/info.h"
 #include "render/frame_parts.h"
 #include "support/scenes.h"
@@ -383,7 +384,8 @@ TEST_AROUND(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_
     zr_arena_reset(&arena, 0);
     const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
     arena.ceiling = arena.used + (8 << 20);
-    assert_int_equal(zr_encode(&arena, NULL, &test.scene, frame, NULL, &none, &error), ZR_NO_MEMORY);
+    assert_int_equal(zr_encode(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, frame, &none),
+                     ZR_NO_MEMORY);
 }
 
 RUN_TESTS(NULL, NULL)

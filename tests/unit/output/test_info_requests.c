@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "output/info.h"
 #include "render_request.h"
 #include "support/scenes.h"
@@ -21,7 +22,8 @@ static struct zr_answer answer_of(struct zr_request request)
     struct zr_error error = {.count = 0};
     request.size = strlen(request.bytes);
     if (!request.render) request.channel = "info";
-    const enum zr_status status = zr_scene_read(&arena, NULL, &request, &limits, &scene, &error);
+    const enum zr_status status =
+        zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene);
     if (status != ZR_OK) fail_msg("%s: %s", request.bytes, error.count ? error.items[0].detail : "");
     return scene_encode(&arena, NULL, scene);
 }
@@ -167,7 +169,8 @@ TEST_AROUND(other_channels_need_a_picture, open_arena, close_arena)
                                            .size = strlen(cases[i].text),
                                            .channel = cases[i].channel,
                                            .render = cases[i].render};
-        assert_int_equal(zr_scene_read(&arena, NULL, &request, &limits, &scene, &error), ZR_BAD_SCENE);
+        assert_int_equal(zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene),
+                         ZR_BAD_SCENE);
         if (strcmp(error.items[0].pointer, cases[i].pointer) != 0 || !strstr(error.items[0].detail, cases[i].detail))
             fail_msg("%s: %s", error.items[0].pointer, error.items[0].detail);
     }

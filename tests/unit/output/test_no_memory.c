@@ -6,10 +6,11 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "core.h"
 #include "input/images/image_read.h"
-#include "output/npy.h"
 #include "output/images/png.h"
+#include "output/npy.h"
 #include "render_request.h"
 #include "support/failing_malloc.h"
 #include "support/pictures/jpeg.h"
@@ -177,9 +178,11 @@ static void run_request(const void *subject, struct outcome *outcome)
     struct zr_arena arena;
     zr_arena_init(&arena, (size_t)1 << 26);
     outcome->size = 0;
-    outcome->status = zr_scene_read(&arena, NULL, request, &limits, &scene, &error);
-    if (outcome->status == ZR_OK) outcome->status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error);
-    if (outcome->status == ZR_OK) outcome->status = zr_encode(&arena, NULL, scene, frame, NULL, &answer, &error);
+    outcome->status = zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, request, &limits, &scene);
+    if (outcome->status == ZR_OK)
+        outcome->status = zr_render(&(struct zr_run){.arena = &arena, .error = &error}, scene, NULL, &frame);
+    if (outcome->status == ZR_OK)
+        outcome->status = zr_encode(&(struct zr_run){.arena = &arena, .error = &error}, scene, frame, &answer);
     if (outcome->status == ZR_OK && answer.size <= sizeof outcome->bytes) {
         memcpy(outcome->bytes, answer.bytes, answer.size);
         outcome->size = answer.size;

@@ -4,10 +4,11 @@
 #include <string.h>
 #include <zip.h>
 
+#include "base/run.h"
 #include "output/images/depth16.h"
+#include "output/images/png.h"
 #include "output/info.h"
 #include "output/npy.h"
-#include "output/images/png.h"
 #include "output/zip.h"
 #include "support/pictures/png.h"
 #include "support/random.h"
@@ -232,7 +233,8 @@ TEST_AROUND(depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit
         struct zr_answer answer;
         struct zr_error error = {.count = 0};
         test.scene.views[0].outputs = &output;
-        assert_int_equal(zr_encode(&arena, NULL, &test.scene, frame, NULL, &answer, &error), ZR_OK);
+        assert_int_equal(zr_encode(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, frame, &answer),
+                         ZR_OK);
         assert_string_equal(answer.content_type, "image/png");
         png_image image;
         const unsigned char *bytes = decode(answer.bytes, answer.size, PNG_FORMAT_LINEAR_Y, &image);
@@ -273,7 +275,8 @@ TEST_AROUND(depths_outside_of_a_range_are_0_or_the_greatest_value, open_arena, c
         struct zr_answer answer;
         struct zr_error error = {.count = 0};
         test.scene.views[0].outputs = &output;
-        assert_int_equal(zr_encode(&arena, NULL, &test.scene, frame, NULL, &answer, &error), ZR_OK);
+        assert_int_equal(zr_encode(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, frame, &answer),
+                         ZR_OK);
         assert_string_equal(answer.content_type, c % 2 ? "image/tiff" : "image/png");
         png_image image;
         const unsigned char *bytes = c % 2 ? (const unsigned char *)answer.bytes + answer.size - 4 * 256

@@ -1,4 +1,5 @@
 /* core/views: arrays, animations and sheets of several views have the pixels of the views drawn alone. */
+#include "base/run.h"
 #include "output/images/webp_frames.h"
 #include "output/npy.h"
 #include "support/pictures/png.h"
@@ -197,8 +198,9 @@ TEST_AROUND(frames_of_an_animated_webp_have_the_bytes_of_their_views, open_arena
             struct zr_files alone;
             struct zr_error error = {0};
             const struct zr_scene *scene = scene_of_view(&views, i);
-            assert_int_equal(zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error), ZR_OK);
-            assert_int_equal(zr_encode_files(&arena, NULL, scene, frame, NULL, NULL, &alone, &error), ZR_OK);
+            assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .error = &error}, scene, NULL, &frame), ZR_OK);
+            assert_int_equal(
+                zr_encode_files(&(struct zr_run){.arena = &arena, .error = &error}, scene, frame, NULL, &alone), ZR_OK);
             assert_int_equal(check_frame(at, &alone.entries[0]), times[i]);
             at += 8 + little_at(at + 4, 4);
         }

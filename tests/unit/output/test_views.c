@@ -2,6 +2,7 @@
  * drawn. Their joined files: test_view_files.c. */
 #include <math.h>
 
+#include "base/run.h"
 #include "output/npy.h"
 #include "unit/common/views_check.h"
 
@@ -115,9 +116,11 @@ TEST_AROUND(parameters_equal_those_of_one_view, open_arena, close_arena)
         const struct zr_frame *frame;
         struct zr_files alone;
         one.preset = presets[i];
-        assert_int_equal(zr_scene_read(&arena, NULL, &one, &limits, &scene, &error), ZR_OK);
-        assert_int_equal(zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error), ZR_OK);
-        assert_int_equal(zr_encode_files(&arena, NULL, scene, frame, NULL, NULL, &alone, &error), ZR_OK);
+        assert_int_equal(zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &one, &limits, &scene),
+                         ZR_OK);
+        assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .error = &error}, scene, NULL, &frame), ZR_OK);
+        assert_int_equal(
+            zr_encode_files(&(struct zr_run){.arena = &arena, .error = &error}, scene, frame, NULL, &alone), ZR_OK);
         snprintf(name, sizeof name, "%s.color.png", presets[i]);
         assert_same(file_of(&files, name), &alone.entries[0], name);
     }
@@ -220,7 +223,9 @@ static struct zr_cost see_views(const char *keys, struct seen *seen)
     snprintf(text, sizeof text, SCENE ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"info\"}], %s}", keys);
     *seen = (struct seen){0};
     if (read_views(NULL, request_of(text), &views, &error) != ZR_OK) fail_msg("%s: %s", keys, error.items[0].detail);
-    assert_int_equal(zr_views_draw_each(&arena, NULL, &views, NULL, (struct zr_views_taker){see, seen}, &error), ZR_OK);
+    assert_int_equal(zr_views_draw_each(&(struct zr_run){.arena = &arena, .error = &error}, &views,
+                                        (struct zr_views_taker){see, seen}),
+                     ZR_OK);
     return views.cost;
 }
 
@@ -261,9 +266,13 @@ TEST_AROUND(files_are_the_same_for_all_teams_and_little_memory, open_arena, clos
             struct zr_error error = {0};
             struct zr_files files;
             zr_arena_init(&small, memory << 20);
-            enum zr_status status = zr_views_read(&small, team, &request, &limits, &views, &error);
-            if (status == ZR_OK) status = zr_views_plan(&small, team, &views, NULL, &error);
-            if (status == ZR_OK) status = zr_views_draw(&small, team, &views, NULL, &files, &error);
+            enum zr_status status = zr_views_read(&(struct zr_run){.arena = &small, .team = team, .error = &error},
+                                                  &request, &limits, &views);
+            if (status == ZR_OK)
+                status = zr_views_plan(&(struct zr_run){.arena = &small, .team = team, .error = &error}, &views);
+            if (status == ZR_OK)
+                status =
+                    zr_views_draw(&(struct zr_run){.arena = &small, .team = team, .error = &error}, &views, &files);
             if (threads == 1) first = status;
             assert_int_equal(status, first);
             assert_true(status == ZR_OK || (status == ZR_NO_MEMORY && !zr_arena_ok(&small)));
@@ -286,7 +295,9 @@ TEST_AROUND(a_raised_cancel_ends_the_drawing, open_arena, close_arena)
     const struct zr_cancel cancel = {.raised = true};
     assert_int_equal(read_views(NULL, request_of(SCENE ", \"turntable\": {}}"), &views, &error), ZR_OK);
     assert_int_equal(views.set->count, 36);
-    assert_int_equal(zr_views_draw(&arena, NULL, &views, &cancel, &files, &error), ZR_CANCELLED);
+    assert_int_equal(
+        zr_views_draw(&(struct zr_run){.arena = &arena, .cancel = &cancel, .error = &error}, &views, &files),
+        ZR_CANCELLED);
 }
 
 /* ---- refusals ---- */
@@ -334,7 +345,7 @@ TEST_AROUND(wrong_views_are_refused_before_any_is_drawn, open_arena, close_arena
             strstr(cases[i].keys, "\"window\": {\"width\": 1024") || strstr(cases[i].keys, "\": 30,");
         snprintf(text, sizeof text, "%s, %s}", has_window ? "{" GEOMETRY : SCENE, cases[i].keys);
         enum zr_status status = read_views(NULL, request_of(text), &views, &error);
-        if (status == ZR_OK) status = zr_views_draw(&arena, NULL, &views, NULL, &files, &error);
+        if (status == ZR_OK) status = zr_views_draw(&(struct zr_run){.arena = &arena, .error = &error}, &views, &files);
         if (status != ZR_BAD_SCENE || strcmp(error.items[0].pointer, cases[i].pointer) != 0 ||
             !strstr(error.items[0].detail, cases[i].detail))
             fail_msg("%s: %d at %s: %s", cases[i].keys, (int)status, error.items[0].pointer, error.items[0].detail);

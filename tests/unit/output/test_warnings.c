@@ -2,6 +2,7 @@
 #include <cjson/cJSON.h>
 #include <math.h>
 
+#include "base/run.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
@@ -161,10 +162,12 @@ static int step_that_refuses(const struct zr_scene *scene, struct zr_arena *memo
     const struct zr_resolved_view *resolved = NULL;
     const struct zr_frame *frame = NULL;
     struct zr_answer answer = {0};
-    enum zr_status status = zr_resolved_view_find(memory, NULL, scene, NULL, &resolved, error);
+    enum zr_status status = zr_resolved_view_find(&(struct zr_run){.arena = memory, .error = error}, scene, &resolved);
     int step = 0;
-    if (status == ZR_OK) status = zr_render(memory, NULL, scene, resolved, NULL, &frame, error), step++;
-    if (status == ZR_OK) status = zr_encode(memory, NULL, scene, frame, NULL, &answer, error), step++;
+    if (status == ZR_OK)
+        status = zr_render(&(struct zr_run){.arena = memory, .error = error}, scene, resolved, &frame), step++;
+    if (status == ZR_OK)
+        status = zr_encode(&(struct zr_run){.arena = memory, .error = error}, scene, frame, &answer), step++;
     if (status == ZR_OK) return 3;
     assert_int_equal(status, ZR_BAD_SCENE);
     assert_null(answer.bytes);

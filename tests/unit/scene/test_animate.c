@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "render_request.h"
 #include "request/change.h"
 #include "scene/parts/animation.h"
@@ -11,8 +12,8 @@
 #include "shade/frame.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
-#include "views/views.h"
 #include "views/view_scene.h"
+#include "views/views.h"
 
 TEST_ARENA((size_t)1 << 28)
 
@@ -34,8 +35,8 @@ static void open_scene(const char *text, struct zr_views *views)
     const struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = text, .size = strlen(text)};
     struct zr_error error = {0};
     limits = zr_limits_default();
-    enum zr_status status = zr_views_read(&arena, NULL, &request, &limits, views, &error);
-    if (status == ZR_OK) status = zr_views_plan(&arena, NULL, views, NULL, &error);
+    enum zr_status status = zr_views_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, views);
+    if (status == ZR_OK) status = zr_views_plan(&(struct zr_run){.arena = &arena, .error = &error}, views);
     if (status != ZR_OK) fail_msg("%s: %s: %s", text, error.items[0].pointer, error.items[0].detail);
 }
 
@@ -43,7 +44,7 @@ static struct zr_files draw(struct zr_views *views)
 {
     struct zr_files files;
     struct zr_error error = {0};
-    if (zr_views_draw(&arena, NULL, views, NULL, &files, &error) != ZR_OK)
+    if (zr_views_draw(&(struct zr_run){.arena = &arena, .error = &error}, views, &files) != ZR_OK)
         fail_msg("%s: %s", error.items[0].pointer, error.items[0].detail);
     return files;
 }
@@ -55,9 +56,11 @@ static struct zr_files draw_alone(const char *text)
     const struct zr_frame *frame = NULL;
     struct zr_files files = {.count = 0};
     struct zr_error error = {0};
-    enum zr_status status = zr_scene_read(&arena, NULL, &request, &limits, &scene, &error);
-    if (status == ZR_OK) status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error);
-    if (status == ZR_OK) status = zr_encode_files(&arena, NULL, scene, frame, NULL, NULL, &files, &error);
+    enum zr_status status =
+        zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene);
+    if (status == ZR_OK) status = zr_render(&(struct zr_run){.arena = &arena, .error = &error}, scene, NULL, &frame);
+    if (status == ZR_OK)
+        status = zr_encode_files(&(struct zr_run){.arena = &arena, .error = &error}, scene, frame, NULL, &files);
     if (status != ZR_OK) fail_msg("%s: %s: %s", text, error.items[0].pointer, error.items[0].detail);
     return files;
 }
@@ -88,7 +91,8 @@ static zr_mat4 matrix_in(const struct zr_views *views, uint32_t number)
 {
     const struct zr_scene *scene;
     struct zr_error error = {0};
-    assert_int_equal(zr_scene_frame(&arena, NULL, views->kept, number, NULL, &scene, &error), ZR_OK);
+    assert_int_equal(zr_scene_frame(&(struct zr_run){.arena = &arena, .error = &error}, views->kept, number, &scene),
+                     ZR_OK);
     return scene->instances[0].object_to_world;
 }
 
@@ -199,8 +203,10 @@ TEST_AROUND(a_fitted_camera_stands_still_and_sees_all_frames, open_arena, close_
             const struct zr_scene *scene;
             const struct zr_resolved_view *view;
             struct zr_error error = {0};
-            assert_int_equal(zr_view_scene(&views, k, &arena, NULL, NULL, &scene, &error), ZR_OK);
-            assert_int_equal(zr_resolved_view_find(&arena, NULL, scene, NULL, &view, &error), ZR_OK);
+            assert_int_equal(zr_view_scene(&(struct zr_run){.arena = &arena, .error = &error}, &views, k, &scene),
+                             ZR_OK);
+            assert_int_equal(zr_resolved_view_find(&(struct zr_run){.arena = &arena, .error = &error}, scene, &view),
+                             ZR_OK);
             assert_memory_equal(&view->camera.world_to_eye, &views.camera.world_to_eye, sizeof(zr_mat4));
             const zr_mat4 to_clip = zr_mat4_mul(&view->camera.projection, &view->camera.world_to_eye);
             for (uint32_t n = 0; n < scene->instance_count; n++) {
@@ -244,7 +250,7 @@ TEST_AROUND(frames_share_the_images_of_the_scene, open_arena, close_arena)
                "[[0,0],[1,0],[0,1]], \"faces\": [[0,1,2]]}], \"nodes\": [{\"name\": \"n\", \"mesh\": \"a\"}], "
                "\"animate\": {\"frames\": 3, \"nodes\": {\"n\": {\"rotate\": {\"axis\": \"y\"}}}}}",
                &views);
-    assert_int_equal(zr_scene_frame(&arena, NULL, views.kept, 1, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(zr_scene_frame(&(struct zr_run){.arena = &arena, .error = &error}, views.kept, 1, &frame), ZR_OK);
     assert_int_equal(frame->image_count, 1);
     assert_ptr_equal(frame->images[0].texels, views.scene->images[0].texels);
 }

@@ -3,12 +3,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "unit/common/guarded.h"
+#include "base/run.h"
 #include "scene/camera/camera_parts.h"
 #include "scene/camera/resolved_view.h"
 #include "support/isas.h"
 #include "support/pictures/look.h"
 #include "support/random.h"
+#include "unit/common/guarded.h"
 
 /* More in all than one thread takes at once. */
 enum { POINTS_MOST = 20000, POINTS_MOSTLY = 200, MESHES = 3, INSTANCES = 9 };
@@ -206,7 +207,7 @@ static enum zr_status see(struct zr_team *team, const struct zr_scene *scene, st
 {
     struct zr_error error = {.count = 0};
     const struct zr_bounds bounds = zr_bounds_of(scene, team, NULL);
-    return zr_camera_resolve(scene, &scene->views[0], &bounds, team, NULL, camera, &error);
+    return zr_camera_resolve(&(struct zr_run){.team = team, .error = &error}, scene, &scene->views[0], &bounds, camera);
 }
 
 TEST(view_of_nothing_that_has_a_place_is_finite)

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "scene/camera/camera.h"
 #include "scene/camera/resolved_view.h"
 #include "support/scenes.h"
@@ -29,8 +30,9 @@ static struct zr_camera resolve(const struct test_scene *test)
     struct zr_camera camera;
     struct zr_error error = {.count = 0};
     struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
-    assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
-                     ZR_OK);
+    assert_int_equal(
+        zr_camera_resolve(&(struct zr_run){.error = &error}, &test->scene, &test->scene.views[0], &bounds, &camera),
+        ZR_OK);
     return camera;
 }
 
@@ -58,13 +60,15 @@ TEST(look_at_without_direction_or_up_is_refused)
     struct zr_error error = {.count = 0};
     view->pose = ZR_POSE_LOOK_AT;
     view->eye = view->target = (zr_vec3){1, 2, 3};
-    assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
-                     ZR_BAD_SCENE);
+    assert_int_equal(
+        zr_camera_resolve(&(struct zr_run){.error = &error}, &test->scene, &test->scene.views[0], &bounds, &camera),
+        ZR_BAD_SCENE);
     assert_string_equal(error.items[0].pointer, "/view/eye");
     error.count = 0;
     view->eye = (zr_vec3){1, 9, 3};
-    assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
-                     ZR_BAD_SCENE);
+    assert_int_equal(
+        zr_camera_resolve(&(struct zr_run){.error = &error}, &test->scene, &test->scene.views[0], &bounds, &camera),
+        ZR_BAD_SCENE);
     assert_string_equal(error.items[0].pointer, "/view/up");
 }
 
@@ -80,8 +84,9 @@ TEST(depth_range_given_is_kept_and_one_turned_round_is_refused)
     view->znear = 200.0f;
     struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
     struct zr_error error = {.count = 0};
-    assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
-                     ZR_BAD_SCENE);
+    assert_int_equal(
+        zr_camera_resolve(&(struct zr_run){.error = &error}, &test->scene, &test->scene.views[0], &bounds, &camera),
+        ZR_BAD_SCENE);
 }
 
 TEST(eye_inside_or_before_the_geometry_still_gives_a_camera)
@@ -112,8 +117,9 @@ TEST(view_beyond_the_range_of_numbers_is_refused)
         view->projection = i ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
         view->xmag = view->ymag = 1e-40f;
         view->yfov_radians = 1e-42f;
-        assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
-                         ZR_BAD_SCENE);
+        assert_int_equal(
+            zr_camera_resolve(&(struct zr_run){.error = &error}, &test->scene, &test->scene.views[0], &bounds, &camera),
+            ZR_BAD_SCENE);
         assert_string_equal(error.items[0].pointer, "/view");
     }
 }

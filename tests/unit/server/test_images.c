@@ -4,11 +4,12 @@
 #include "render_request.h"
 #include "scene/image.h"
 #include "support/files.h"
-#include "support/scenes.h"
 #include "support/pictures/striped_images.h"
+#include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
 
+#include "base/run.h"
 #include "input/images/image_read.h"
 
 #include <pthread.h>
@@ -259,7 +260,8 @@ static struct zr_answer draw(struct zr_arena *in, struct zr_team *team, struct i
     const struct zr_limits limits = zr_limits_default();
     const struct zr_scene *scene;
     struct zr_error error = {.count = 0};
-    assert_int_equal(zr_scene_read(in, team, &request, &limits, &scene, &error), ZR_OK);
+    assert_int_equal(
+        zr_scene_read(&(struct zr_run){.arena = in, .team = team, .error = &error}, &request, &limits, &scene), ZR_OK);
     return scene_encode(in, NULL, scene);
 }
 

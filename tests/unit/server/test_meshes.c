@@ -1,12 +1,13 @@
 /* server/keep/meshes.c, core/input/model/kept_mesh.c: model files kept between requests. No answer depends on them. */
+#include "base/run.h"
 #include "base/team.h"
 #include "keep/images.h"
 #include "keep/meshes.h"
-#include "unit/common/mesh_requests.h"
 #include "scene/scene.h"
-#include "unit/common/sheet_files.h"
 #include "support/scenes.h"
 #include "support/tests.h"
+#include "unit/common/mesh_requests.h"
+#include "unit/common/sheet_files.h"
 
 #include <pthread.h>
 #include <stdio.h>
@@ -136,7 +137,8 @@ static struct answered ask_within(struct zr_arena *arena, struct meshes *meshes,
     struct zr_error error = {.count = 0};
     const struct zr_scene *scene = NULL;
     struct zr_answer answer = {.bytes = NULL};
-    struct answered answered = {.status = zr_scene_read(arena, NULL, &request, &limits, &scene, &error)};
+    struct answered answered = {
+        .status = zr_scene_read(&(struct zr_run){.arena = arena, .error = &error}, &request, &limits, &scene)};
     take_back(request.bytes, request.size);
     for (size_t i = 0; i < request.asset_count; i++)
         take_back(assets[i].bytes, assets[i].size);
@@ -144,8 +146,9 @@ static struct answered ask_within(struct zr_arena *arena, struct meshes *meshes,
     answered.held = arena->held;
     if (answered.status == ZR_OK) {
         const struct zr_frame *frame;
-        answered.status = zr_render(arena, NULL, scene, NULL, NULL, &frame, &error);
-        if (answered.status == ZR_OK) answered.status = zr_encode(arena, NULL, scene, frame, NULL, &answer, &error);
+        answered.status = zr_render(&(struct zr_run){.arena = arena, .error = &error}, scene, NULL, &frame);
+        if (answered.status == ZR_OK)
+            answered.status = zr_encode(&(struct zr_run){.arena = arena, .error = &error}, scene, frame, &answer);
     }
     answered.bytes = copy_answer(answered.status, &answer, &error, &answered.size);
     meshes_release(&use);
@@ -352,7 +355,8 @@ TEST(memory_stays_within_its_bound_over_many_meshes)
             struct zr_error error = {.count = 0};
             const struct zr_scene *scene;
             zr_arena_reset(&arena, SIZE_MAX);
-            assert_int_equal(zr_scene_read(&arena, NULL, &request, &limits, &scene, &error), ZR_OK);
+            assert_int_equal(
+                zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene), ZR_OK);
             meshes_release(&use);
             assert_true(look(meshes).bytes <= MAX_BYTES);
         }

@@ -2,12 +2,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "unit/common/edges_reference.h"
+#include "base/run.h"
 #include "effects/edges.h"
-#include "unit/common/guarded.h"
 #include "raster/tile.h"
 #include "support/isas.h"
 #include "support/test_arena.h"
+#include "unit/common/edges_reference.h"
+#include "unit/common/guarded.h"
 
 TEST_ARENA(1 << 28)
 
@@ -77,7 +78,7 @@ static const float *find_edges(enum zr_isa isa, int threads, bool backwards)
     for (int i = 0; i < count; i++)
         mark_tile(marks, isa, backwards ? count - 1 - i : i, !backwards);
     struct zr_team *team = zr_team_create_for(threads, isa);
-    const float *opacity = zr_edges_finish(marks, &arena, team, NULL);
+    const float *opacity = zr_edges_finish(&(struct zr_run){.arena = &arena, .team = team}, marks);
     zr_team_destroy(team);
     assert_non_null(opacity);
     return opacity;
@@ -252,7 +253,7 @@ TEST(a_failed_arena_gives_no_edges)
         if (marks) {
             for (int i = 0; i < 16; i++)
                 mark_tile(marks, ZR_ISA_SCALAR, i, true);
-            const float *opacity = zr_edges_finish(marks, &small, NULL, NULL);
+            const float *opacity = zr_edges_finish(&(struct zr_run){.arena = &small}, marks);
             assert_true((opacity != NULL) == zr_arena_ok(&small));
             has_succeeded = opacity != NULL;
         }
@@ -267,7 +268,8 @@ TEST(cancelled_it_returns)
     assert_non_null(marks);
     struct zr_cancel cancel = {.parent = NULL};
     atomic_init(&cancel.raised, true);
-    assert_non_null(zr_edges_finish(marks, &arena, NULL, &cancel)); /* no tile was marked */
+    assert_non_null(
+        zr_edges_finish(&(struct zr_run){.arena = &arena, .cancel = &cancel}, marks)); /* no tile was marked */
 }
 
 RUN_TESTS(open_arena, close_arena)

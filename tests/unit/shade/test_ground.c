@@ -2,11 +2,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "effects/ground.h"
-#include "unit/common/guarded.h"
 #include "support/isas.h"
 #include "support/random.h"
 #include "support/test_arena.h"
+#include "unit/common/guarded.h"
 
 enum { SIDE = ZR_GROUND_SIDE, TEXELS = SIDE * SIDE };
 
@@ -27,7 +28,7 @@ TEST_AROUND(light_is_full_where_nothing_is_near, open_arena, close_arena)
     for (int i = 0; i < TEXELS; i++)
         heights[i] = INFINITY;
     heights[0] = 0.001f;
-    const struct zr_ground ground = zr_ground_make(&arena, NULL, heights, 1.0f, 1.0f, INFINITY);
+    const struct zr_ground ground = zr_ground_make(&(struct zr_run){.arena = &arena}, heights, 1.0f, 1.0f, INFINITY);
     assert_true(ground.light[0] < 1.0f);
     for (int y = 0; y < SIDE; y++)
         for (int x = 0; x < SIDE; x++)
@@ -41,7 +42,8 @@ TEST_AROUND(maps_of_no_size_give_numbers, open_arena, close_arena)
     heights[6] = -1.0f;
     static const float sizes[][2] = {{0.0f, 0.0f}, {0.0f, 1.0f}, {1.0f, 0.0f}, {1e-30f, 1e30f}, {1e30f, 1e-30f}};
     for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
-        const struct zr_ground ground = zr_ground_make(&arena, NULL, heights, sizes[k][0], sizes[k][1], INFINITY);
+        const struct zr_ground ground =
+            zr_ground_make(&(struct zr_run){.arena = &arena}, heights, sizes[k][0], sizes[k][1], INFINITY);
         for (int i = 0; i < TEXELS; i++)
             assert_true(ground.light[i] >= 0.0f && ground.light[i] <= 1.0f);
         const float light = zr_ground_at(&ground, 0.0f, 0.0f);
@@ -56,11 +58,12 @@ TEST_AROUND(low_scenes_have_no_halo, open_arena, close_arena)
     static float heights[TEXELS];
     for (int i = 0; i < TEXELS; i++)
         heights[i] = i % SIDE < SIDE / 2 ? 0.0f : INFINITY;
-    const struct zr_ground high = zr_ground_make(&arena, NULL, heights, 1.0f, 1.0f, INFINITY);
-    const struct zr_ground same = zr_ground_make(&arena, NULL, heights, 1.0f, 1.0f, 0.4201f); /* 1.2 * 0.35 */
-    const struct zr_ground less = zr_ground_make(&arena, NULL, heights, 1.0f, 1.0f, 0.4f);
-    const struct zr_ground low = zr_ground_make(&arena, NULL, heights, 1.0f, 1.0f, 0.01f);
-    const struct zr_ground flat = zr_ground_make(&arena, NULL, heights, 1.0f, 1.0f, 0.0f);
+    const struct zr_ground high = zr_ground_make(&(struct zr_run){.arena = &arena}, heights, 1.0f, 1.0f, INFINITY);
+    const struct zr_ground same =
+        zr_ground_make(&(struct zr_run){.arena = &arena}, heights, 1.0f, 1.0f, 0.4201f); /* 1.2 * 0.35 */
+    const struct zr_ground less = zr_ground_make(&(struct zr_run){.arena = &arena}, heights, 1.0f, 1.0f, 0.4f);
+    const struct zr_ground low = zr_ground_make(&(struct zr_run){.arena = &arena}, heights, 1.0f, 1.0f, 0.01f);
+    const struct zr_ground flat = zr_ground_make(&(struct zr_run){.arena = &arena}, heights, 1.0f, 1.0f, 0.0f);
     const float *middle = low.light + SIDE / 2 * SIDE;
     assert_memory_equal(high.light, same.light, TEXELS * sizeof *high.light);
     assert_true(memcmp(high.light, less.light, TEXELS * sizeof *high.light) != 0);
@@ -77,7 +80,7 @@ TEST(a_failed_arena_gives_no_map)
     static float heights[TEXELS];
     struct zr_arena small;
     zr_arena_init(&small, 1000);
-    assert_null(zr_ground_make(&small, NULL, heights, 1.0f, 1.0f, INFINITY).light);
+    assert_null(zr_ground_make(&(struct zr_run){.arena = &small}, heights, 1.0f, 1.0f, INFINITY).light);
     zr_arena_free(&small);
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/rgba.h"
+#include "base/run.h"
 #include "raster/fragments.h"
 #include "support/random.h"
 #include "support/scenes.h"
@@ -107,7 +108,8 @@ TEST_AROUND(layers_end_where_memory_does, open_arena, close_arena)
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
     zr_arena_init(&small, (size_t)64 << 20); /* 4000 layers of 4096 pixels take 131 MB */
-    assert_int_equal(zr_render(&small, NULL, &test.scene, NULL, NULL, &frame, &error), ZR_NO_MEMORY);
+    assert_int_equal(zr_render(&(struct zr_run){.arena = &small, .error = &error}, &test.scene, NULL, &frame),
+                     ZR_NO_MEMORY);
     assert_non_null(strstr(error.items[0].detail, "all layers of translucent surfaces are kept, 8 bytes"));
     zr_arena_free(&small);
     const struct zr_frame *whole = scene_render(&arena, NULL, &test.scene);

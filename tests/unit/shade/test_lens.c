@@ -3,11 +3,12 @@
 #include <string.h>
 
 #include "base/rgba.h"
-#include "unit/common/json_check.h"
+#include "base/run.h"
 #include "render/lens.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 /* ---- the model: OpenCV's formulas, by libm ---- */
 
@@ -167,13 +168,15 @@ static const struct zr_frame *pinhole_of(const struct zr_scene *scene, const str
     struct zr_lens_drawing *drawing = zr_arena_zero(&arena, 1, sizeof *drawing);
     const struct zr_frame *frame;
     struct zr_error error = {.count = 0};
-    assert_int_equal(zr_resolved_view_find(&arena, NULL, scene, NULL, resolved, &error), ZR_OK);
+    assert_int_equal(zr_resolved_view_find(&(struct zr_run){.arena = &arena, .error = &error}, scene, resolved), ZR_OK);
     zr_lens_drawing_open(scene, *resolved, drawing);
     struct zr_output outputs[16];
     memcpy(outputs, scene->views[0].outputs, scene->views[0].output_count * sizeof *outputs);
     drawing->scene.views[0].outputs = outputs;
     drawing->scene.views[0].output_count--; /* fragments */
-    assert_int_equal(zr_render(&arena, NULL, &drawing->scene, &drawing->resolved, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = &arena, .error = &error}, &drawing->scene, &drawing->resolved, &frame),
+        ZR_OK);
     return frame;
 }
 
@@ -252,7 +255,8 @@ TEST_AROUND(wide_rays_and_large_pinhole_pictures_are_refused_by_name, open_arena
                  side, side, cases[i].view);
         struct reading *reading = read_scene(text);
         assert_int_equal(reading->status, ZR_OK);
-        const enum zr_status status = zr_resolved_view_find(&arena, NULL, reading->scene, NULL, &resolved, &error);
+        const enum zr_status status =
+            zr_resolved_view_find(&(struct zr_run){.arena = &arena, .error = &error}, reading->scene, &resolved);
         if (!cases[i].message) {
             assert_int_equal(status, ZR_OK);
         } else {
@@ -295,7 +299,7 @@ static uint32_t color_at(const uint32_t source[6], double x, double y)
     const struct zr_remap_place place = AT(x, y);
     const struct zr_remap remap = {1, 1, 3, 2, &place, 0};
     uint32_t out;
-    assert_int_equal(zr_remap_color(&remap, NULL, NULL, 77, source, &out), ZR_OK);
+    assert_int_equal(zr_remap_color(&(struct zr_run){.arena = NULL}, &remap, 77, source, &out), ZR_OK);
     return out;
 }
 
@@ -324,13 +328,13 @@ TEST(pixels_without_a_ray_are_clear_and_shrunk_ones_are_means)
     const struct zr_remap remap = {2, 2, 8, 8, places, 1};
     for (uint32_t i = 0; i < 64; i++)
         source[i] = (i + i / 8) % 2 ? a : b; /* a chess board */
-    assert_int_equal(zr_remap_color(&remap, NULL, NULL, 77, source, out), ZR_OK);
+    assert_int_equal(zr_remap_color(&(struct zr_run){.arena = NULL}, &remap, 77, source, out), ZR_OK);
     for (int i = 0; i < 3; i++)
         assert_int_equal(out[i], rgba(128, 128, 128, 255));
     assert_int_equal(out[3], 77);
     for (uint32_t i = 0; i < 64; i++)
         source[i] = i;
-    assert_int_equal(zr_remap_nearest(&remap, NULL, NULL, 1, 99, source, ids), ZR_OK);
+    assert_int_equal(zr_remap_nearest(&(struct zr_run){.arena = NULL}, &remap, 1, 99, source, ids), ZR_OK);
     assert_true(ids[0] == 18 && ids[1] == 22 && ids[2] == 50 && ids[3] == 99);
 }
 

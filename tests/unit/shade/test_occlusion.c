@@ -1,8 +1,9 @@
 /* Ambient occlusion: dark joints, light planes, and what may happen. */
+#include "base/run.h"
 #include "effects/occlusion.h"
-#include "unit/common/occlusion_scenes.h"
 #include "support/isas.h"
 #include "support/test_arena.h"
+#include "unit/common/occlusion_scenes.h"
 
 TEST_ARENA(1 << 27)
 
@@ -20,7 +21,8 @@ static struct zr_pixel_scale scale_of(const struct sight *sight)
 static const float *find_by(struct zr_team *team, const struct buffer *b, const struct sight *sight, float diagonal)
 {
     const struct zr_pixel_scale scale = scale_of(sight);
-    const float *light = zr_occlusion_make(&arena, team, NULL, &b->g, &usual, &scale, diagonal);
+    const float *light =
+        zr_occlusion_make(&(struct zr_run){.arena = &arena, .team = team}, &b->g, &usual, &scale, diagonal);
     assert_non_null(light);
     return light;
 }
@@ -144,7 +146,7 @@ TEST(without_memory_there_is_no_map)
     buffer_draw(&b, &sight, 1, 0, 0, bumps);
     struct zr_arena small;
     zr_arena_init(&small, 32 * 20 * 6);
-    assert_null(zr_occlusion_make(&small, NULL, NULL, &b.g, &usual, &scale, 1.0f));
+    assert_null(zr_occlusion_make(&(struct zr_run){.arena = &small}, &b.g, &usual, &scale, 1.0f));
     zr_arena_free(&small);
     buffer_free(&b);
 }
@@ -162,7 +164,8 @@ TEST(cancelled_it_returns_early)
     for (int i = 0; i < 32 * 20; i++)
         before[i] = -7.0f;
     zr_arena_reset(&own, SIZE_MAX);
-    const float *light = zr_occlusion_make(&own, NULL, &cancel, &b.g, &usual, &scale, 1.0f);
+    const float *light =
+        zr_occlusion_make(&(struct zr_run){.arena = &own, .cancel = &cancel}, &b.g, &usual, &scale, 1.0f);
     assert_ptr_equal(light, before);
     for (int i = 0; i < 32 * 20; i++)
         assert_true(light[i] == -7.0f);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/run.h"
 #include "geometry/build.h"
 #include "raster/binned_scene.h"
 #include "scene/camera/resolved_view.h"
@@ -47,16 +48,20 @@ TEST(picture_is_that_of_its_view)
     struct zr_error error = {.count = 0};
     const struct zr_resolved_view *resolved;
     const struct zr_frame *found_before, *found_by_it, *narrow;
-    assert_int_equal(zr_resolved_view_find(&arena, NULL, &test.scene, NULL, &resolved, &error), ZR_OK);
-    assert_int_equal(zr_render(&arena, NULL, &test.scene, resolved, NULL, &found_before, &error), ZR_OK);
-    assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, NULL, &found_by_it, &error), ZR_OK);
+    assert_int_equal(zr_resolved_view_find(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, &resolved),
+                     ZR_OK);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, resolved, &found_before), ZR_OK);
+    assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, NULL, &found_by_it),
+                     ZR_OK);
     assert_memory_equal(found_before->color, found_by_it->color, 64 * 48 * 4);
     assert_memory_equal(&found_before->camera, &found_by_it->camera, sizeof resolved->camera);
     assert_memory_equal(&found_before->bounds.min, &found_by_it->bounds.min, sizeof(zr_vec3));
     assert_true(found_by_it->bounds.valid && found_by_it->covered_pixels > 200);
     struct zr_resolved_view narrowed = *resolved;
     narrowed.camera.projection.m[0] *= 0.5f;
-    assert_int_equal(zr_render(&arena, NULL, &test.scene, &narrowed, NULL, &narrow, &error), ZR_OK);
+    assert_int_equal(zr_render(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, &narrowed, &narrow),
+                     ZR_OK);
     assert_true(narrow->covered_pixels < found_by_it->covered_pixels * 3 / 4);
     /* Requested bounds are returned even if the view needs none. */
     const struct zr_output info = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
@@ -64,11 +69,13 @@ TEST(picture_is_that_of_its_view)
                                              .world_to_camera = zr_mat4_identity(),
                                              .projection = ZR_PROJECTION_MATRIX,
                                              .projection_matrix = zr_mat4_identity()});
-    assert_int_equal(zr_resolved_view_find(&arena, NULL, &test.scene, NULL, &resolved, &error), ZR_OK);
+    assert_int_equal(zr_resolved_view_find(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, &resolved),
+                     ZR_OK);
     assert_false(resolved->bounds.valid);
     test.scene.views[0].outputs = &info;
     test.scene.views[0].output_count = 1;
-    assert_int_equal(zr_resolved_view_find(&arena, NULL, &test.scene, NULL, &resolved, &error), ZR_OK);
+    assert_int_equal(zr_resolved_view_find(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, &resolved),
+                     ZR_OK);
     assert_true(resolved->bounds.valid && resolved->bounds.max.x == 3.0f && resolved->bounds.max.z == 2.0f);
     zr_arena_free(&arena);
 }
@@ -83,7 +90,9 @@ TEST(render_that_is_cancelled_says_so)
     struct zr_cancel cancel = {.raised = true};
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
-    assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, &cancel, &frame, &error), ZR_CANCELLED);
+    assert_int_equal(
+        zr_render(&(struct zr_run){.arena = &arena, .cancel = &cancel, .error = &error}, &test.scene, NULL, &frame),
+        ZR_CANCELLED);
     assert_int_equal(error.count, 1);
     zr_arena_free(&arena);
 }
@@ -102,7 +111,8 @@ TEST(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture)
         zr_arena_init(&arena, ceiling);
         struct zr_error error = {.count = 0};
         const struct zr_frame *frame;
-        enum zr_status status = zr_render(&arena, NULL, &test.scene, NULL, NULL, &frame, &error);
+        enum zr_status status =
+            zr_render(&(struct zr_run){.arena = &arena, .error = &error}, &test.scene, NULL, &frame);
         if (status == ZR_OK) {
             assert_int_equal(frame->counts.polygons, 500);
             successes++;

@@ -1,6 +1,7 @@
 /* Levels of textures, and what they take. */
 #include "shade/texture_maps.h"
 
+#include "base/run.h"
 #include "support/tests.h"
 
 static struct zr_arena arena;
@@ -30,7 +31,7 @@ static void make(struct test *test, uint32_t width, uint32_t height, uint32_t bi
                                     .textures = &test->texture,
                                     .material_count = 1,
                                     .materials = &test->material};
-    assert_int_equal(zr_texture_maps_make(&arena, NULL, &test->scene, decode, NULL, &test->maps), ZR_OK);
+    assert_int_equal(zr_texture_maps_make(&(struct zr_run){.arena = &arena}, &test->scene, decode, &test->maps), ZR_OK);
 }
 
 TEST(levels_halve_down_to_one_texel)
@@ -69,7 +70,7 @@ TEST(a_texture_that_no_material_has_gets_no_levels)
     make(&test, 64, 64, 8, texels, true);
     assert_true(test.maps.of[0].level_count > 1);
     test.scene.material_count = 0;
-    assert_int_equal(zr_texture_maps_make(&arena, NULL, &test.scene, true, NULL, &test.maps), ZR_OK);
+    assert_int_equal(zr_texture_maps_make(&(struct zr_run){.arena = &arena}, &test.scene, true, &test.maps), ZR_OK);
     assert_int_equal(test.maps.of[0].level_count, 0);
     zr_arena_free(&arena);
 }
@@ -120,7 +121,8 @@ TEST(memory_that_is_short_is_told)
     for (size_t ceiling = 0; ceiling < 4096; ceiling += 256) {
         struct zr_arena small;
         zr_arena_init(&small, ceiling);
-        const enum zr_status status = zr_texture_maps_make(&small, NULL, &test.scene, true, NULL, &test.maps);
+        const enum zr_status status =
+            zr_texture_maps_make(&(struct zr_run){.arena = &small}, &test.scene, true, &test.maps);
         assert_int_equal(status, ZR_NO_MEMORY);
         zr_arena_free(&small);
     }
