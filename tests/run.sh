@@ -94,8 +94,8 @@ for part in "$@"; do
     unit)
         for test in "$build"/tests/property/test_* "$build"/tests/unit/*/test_*; do # the longest first
             case $test in *.o | *.d) continue ;; esac
-            room=$(basename "$(dirname "$test")")
-            run "$room-$(basename "$test")" "ZRASTER_DATA=$data" "$test"
+            name=${test#"$build"/tests/}
+            run "$(echo "$name" | tr / -)" "ZRASTER_DATA=$data" "$test"
         done
         ;;
     fuzz)

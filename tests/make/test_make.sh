@@ -53,12 +53,12 @@ slowest:
 program property/test_a "ok 1 - one" "ok 2 - two"
 echo 'sleep 0.2' >>"$work/fake/tests/property/test_a"
 parts
-verdict "the slowest programs are listed, the slowest first" [ "$(sed -n 's/^ *[0-9.]* s  //p' "$work/said" | xargs)" = "property-test_a room-test_b" ]
+verdict "the slowest programs are listed, the slowest first" [ "$(sed -n 's/^ *[0-9.]* s  //p' "$work/said" | xargs)" = "property-test_a unit-room-test_b" ]
 program unit/room/test_b "ok 1 - three" "not ok 2 - four"
 parts
 status=$?
 verdict "a test that fails ends with 1" [ "$status" = 1 ]
-verdict "is reported" grep -q '^FAILED in room-test_b' "$work/said"
+verdict "is reported" grep -q '^FAILED in unit-room-test_b' "$work/said"
 verdict "and counted in its part" grep -Eq '^unit: 3 passed, 1 failed in [0-9]+ s$' "$work/said"
 verdict "and in the last line" [ "$(tail -n 1 "$work/said")" = "3 passed, 1 failed, 0 skipped" ]
 program property/test_b "not ok 1 - five"

@@ -448,7 +448,7 @@ class Http(unittest.TestCase):
             (["/scene/outputs/0/channel", "'depth'", "pick gives the depth"], {"outputs": [{"channel": "depth"}]}),
             (["/scene/outputs/1/channel", "'normals'", "shading"], {"outputs": [{"channel": "color"}, {"channel": "normals"}]}),
             (["/scene/outputs/0/channel", "'colour'"], {"outputs": [{"channel": "colour"}]}),
-            (["/scene/outputs/0/quality", "png, jpeg or webp"], {"outputs": [{"channel": "color", "encoding": "jpeg", "quality": 9}]}),
+            (["/scene/outputs/0/quality", "png, jpeg and webp"], {"outputs": [{"channel": "color", "encoding": "jpeg", "quality": 9}]}),
             (["/scene/outputs/0/encoding"], {"outputs": [{"channel": "color", "encoding": "svg"}]}),
             (["/scene/outputs/1", "one picture"], {"outputs": [{"channel": "color"}, {"channel": "color"}]}),
             (["/scene/outputs", "leave it out"], {"outputs": []}),
@@ -528,7 +528,7 @@ class Http(unittest.TestCase):
             finally:
                 stored.stop()
         for tool in ("facts", "render"):
-            self.refused(tool, ["/model: it is missing"], scene=scene)
+            self.refused(tool, ["/model: the model is missing"], scene=scene)
 
     def test_keys_about_pictures(self):
         """facts ignores keys about pictures; pick names what to leave out"""
@@ -601,7 +601,7 @@ class Http(unittest.TestCase):
         self.assertAlmostEqual(found["fragments"][0]["point"][0], 10, delta=2 * top["unitsPerPixel"])
         paper = self.call("pick", **arguments, sheet="threeView", x=0, y=0)
         self.assertEqual((paper["structuredContent"]["hit"], paper["structuredContent"]["fragments"]), (False, []))
-        self.assertIn("paper", texts(paper)[0])
+        self.assertIn("between the views", texts(paper)[0])
 
     def test_mendable(self):
         """Errors of arguments have their place and the nearest word"""
