@@ -1,9 +1,9 @@
-/* run.h - base: what the steps of one request have in common: where results go, who works, and when to stop.
+/* run.h - base: memory, threads, cancellation and error of the steps of one request.
  *
  * A function takes a run instead of three or more of its members, as its first parameter. Its comment says which members
  * it uses: those may not be NULL unless their own header says so; others are not read.
- * Threads: a run itself is read only, so that threads may share it. Arenas and errors are not thread-safe: work on a
- *          team's threads has a run, or an arena, of its own. */
+ * Threads: a run itself is read only, so that threads may share it. Arenas and errors are not thread-safe: each
+ *          thread of a team has its own arena, or its own run. */
 #ifndef ZR_RUN_H
 #define ZR_RUN_H
 

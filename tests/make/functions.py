@@ -18,7 +18,7 @@ NAME_BEFORE = re.compile(r"([a-z_]\w*|ZR_KERNEL\(\w+\))\s*$")
 
 
 def without_texts(text):
-    """Blanks what has no code, and keeps the numbers of lines."""
+    """Replaces comments and strings by blanks. Line numbers stay."""
     return BLANK.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
 
 
@@ -36,7 +36,7 @@ def parameters(text):
 
 
 def statements(code):
-    """Yields (start, open, close) of what is in no braces: open is its brace or semicolon, close its end."""
+    """Yields (start, open, close) of each declaration at file level: `open` is its brace or semicolon, `close` its end."""
     depth = start = opened = 0
     for match in re.finditer(r"[{};]", code):
         opened = match.start() if depth == 0 else opened

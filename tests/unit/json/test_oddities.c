@@ -1,4 +1,4 @@
-/* Warnings of what is drawn: each by the reason and by the name of what has it. Warnings of reading: tests/refusals. */
+/* Warnings of drawing name a reason and the mesh or part. Warnings of readers are cases of tests/refusals. */
 #include "support/scenes.h"
 #include "support/tests.h"
 #include "unit/common/json_check.h"
