@@ -1,7 +1,7 @@
 /* run.h - base: memory, threads, cancellation and error of the steps of one request.
  *
- * A function takes a run instead of three or more of its members, as its first parameter. Its comment says which members
- * it uses: those may not be NULL unless their own header says so; others are not read.
+ * A function takes a run instead of three or more of its members, as its first parameter. Its comment names the members
+ * that it uses: those may not be NULL unless their own header says so; others are not read.
  * Threads: a run itself is read only, so that threads may share it. Arenas and errors are not thread-safe: each
  *          thread of a team has its own arena, or its own run. */
 #ifndef ZR_RUN_H
