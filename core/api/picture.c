@@ -17,7 +17,7 @@ static bool keep_results(zraster_picture *picture, const struct zr_scene *scene,
 {
     struct zr_arena *arena = picture->arena;
     struct zr_look_pin *pin = zr_arena_alloc(arena, 1, sizeof *pin);
-    picture->remains = zr_remains_make(arena, scene, frame);
+    picture->remains = zr_encode_input_make(arena, scene, frame);
     if (!pin || !picture->remains) return false;
     *pin = zr_look_pin_of(scene->look);
     picture->look = pin->text;
@@ -180,7 +180,7 @@ static enum zr_status keep_files(zraster_picture *picture, const struct zr_files
 
 static enum zr_status encode(zraster_picture *picture, struct zr_error *error)
 {
-    const struct zr_remains *remains = picture->remains;
+    const struct zr_encode_input *remains = picture->remains;
     struct zr_files files;
     struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH);
     if (!scratch) return ZR_NO_MEMORY;

@@ -2,15 +2,15 @@
 #ifndef ZR_LIBRARY_PICTURE_H
 #define ZR_LIBRARY_PICTURE_H
 
-#include "request/encode.h"
-#include "api/remains.h"
+#include "api/encode_input.h"
 #include "api/renderer.h"
+#include "request/encode.h"
 
 struct zraster_picture {
     zraster *renderer;
     zraster_cancel *cancel; /* of the request; or NULL */
     struct zr_arena *arena;
-    struct zr_remains *remains; /* NULL: the picture has several views, which are encoded */
+    struct zr_encode_input *remains; /* NULL: the picture has several views, which are encoded */
     const char *look;
     struct zr_warning_list warnings;
     struct zr_files files;       /* entries NULL: not encoded yet */

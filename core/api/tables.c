@@ -3,22 +3,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "parameter_rows.h"
-#include "schema/schema.h"
+#include "api/renderer.h"
 #include "input/formats/formats.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/outputs.h"
-#include "api/renderer.h"
 #include "output/json/json_print.h"
+#include "parameter_rows.h"
 #include "scene/looks.h"
 #include "scene/shadings.h"
+#include "schema/schema.h"
 
 static const struct {
     const char *name, *key, *bodies, *value, *help;
 } parameters[] = {
 #define ANY                               "all"
 #define MESH                              "mesh"
-#define ROW(name, key, whose, kind, help) {#name, key, whose, #kind, help},
+#define ROW(name, key, scope, kind, help) {#name, key, scope, #kind, help},
     ZR_PARAMETER_ROWS(ROW)
 #undef ROW
 #undef ANY

@@ -13,7 +13,7 @@ struct wall {
 struct winding {
     struct zr_builder *builder;
     const struct zr_wound_edge *edges;
-    const struct zr_claims *claims; /* NULL: no other cap lies in the plane */
+    const struct zr_cap_samples *claims; /* NULL: no other cap lies in the plane */
     uint32_t plane;
     uint32_t *starts; /* per row from first_row on: 1 + the first edge that begins there; 0: none */
     uint32_t *next;   /* per edge: 1 + the next one that begins in the same row; 0: none */
@@ -88,7 +88,7 @@ static bool row_differs(const struct winding *w, int32_t row)
         if (from < to && number != 0) {
             bool is_taken = false;
             if ((number & 1) == 0) return true;
-            if (w->claims && (zr_claims_run(w->claims, w->plane, row, from, to, &is_taken) < to || is_taken))
+            if (w->claims && (zr_cap_samples_run(w->claims, w->plane, row, from, to, &is_taken) < to || is_taken))
                 return true;
         }
         number += w->changes[i].sign;
@@ -110,7 +110,7 @@ static void add_free(struct winding *w, int32_t row, int32_t begin, int32_t end)
 {
     while (begin < end) {
         bool is_taken = false;
-        const int32_t next = w->claims ? zr_claims_run(w->claims, w->plane, row, begin, end, &is_taken) : end;
+        const int32_t next = w->claims ? zr_cap_samples_run(w->claims, w->plane, row, begin, end, &is_taken) : end;
         if (!is_taken) add_wall(w, begin, row);
         if (!is_taken) add_wall(w, next, row);
         begin = next;
@@ -132,7 +132,7 @@ static void for_each_run(struct winding *w, int32_t row,
 
 static void take(struct winding *w, int32_t row, int32_t begin, int32_t end)
 {
-    zr_claims_take(w->claims, w->plane, row, begin, end);
+    zr_cap_samples_take(w->claims, w->plane, row, begin, end);
 }
 
 /* Appends a vertical edge up to the begin of `row`. */
@@ -243,7 +243,7 @@ static bool make_rooms(struct zr_builder *builder, uint32_t count, struct windin
     if (!scratch->rows) {
         scratch->rows = zr_arena_alloc(builder->run->arena, window->height, sizeof *w->starts);
         scratch->walls = zr_arena_alloc(builder->run->arena, 2 * columns, sizeof *w->walls);
-        if (!zr_claims_make(builder->run->arena, builder->scene, window->width, window->height, &scratch->claims))
+        if (!zr_cap_samples_make(builder->run->arena, builder->scene, window->width, window->height, &scratch->claims))
             return false;
     }
     if (count > scratch->number_room) {

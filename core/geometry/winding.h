@@ -4,7 +4,7 @@
  * Why:    hidden-surface algorithms fill shapes by the odd-even rule. If rings of a cap overlap, such as those of two
  *         solids in one part, winding numbers beyond 1 occur, and the rules differ.
  * How:    if no row of samples has such a number, and no earlier cap of the plane has taken any of the samples
- *         (claims.h), the edges of the rings stay. Otherwise they are replaced, row by row, by vertical edges of one
+ *         (cap_samples.h), the edges of the rings stay. Otherwise they are replaced, row by row, by vertical edges of one
  *         row around the runs of free samples whose winding number is not 0; equal edges of neighbouring rows are
  *         joined. Both have exactly the same samples inside. */
 #ifndef ZR_WINDING_H

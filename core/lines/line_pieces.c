@@ -200,7 +200,7 @@ static uint32_t face_of(const struct making *m, uint32_t hider, const struct zr_
 }
 
 /* Returns the first cap at a point beside a line that goes through the line; NO_HIDER: none. Where caps of several
- * parts lie in one plane, the first one is drawn (geometry/claims.h). */
+ * parts lie in one plane, the first one is drawn (geometry/cap_samples.h). */
 static uint32_t cap_beside(const struct making *m, const struct middle *at, double left)
 {
     const double x = at->x + left * at->left_x, y = at->y + left * at->left_y;

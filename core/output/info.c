@@ -2,13 +2,13 @@
 
 #include <stdio.h>
 
-#include "sections/sections.h"
+#include "output/images/palette.h"
 #include "output/json/camera_json.h"
 #include "output/json/json_print.h"
 #include "output/masks.h"
-#include "output/images/palette.h"
 #include "scene/camera/camera.h"
 #include "scene/looks.h"
+#include "sections/sections.h"
 #include "version.h"
 
 /* Pixel count and bounding box of one id; x1 and y1 are exclusive. */
@@ -50,7 +50,7 @@ static void print_given_counts(struct zr_print *print, const struct zr_scene *sc
 }
 
 static void print_counts(struct zr_print *print, const struct zr_scene *scene, const struct zr_frame *frame,
-                         uint64_t misfits)
+                         uint64_t clamped)
 {
     const struct zr_counts *c = &frame->counts;
     zr_print_begin(print, "counts", '{');
@@ -75,7 +75,7 @@ static void print_counts(struct zr_print *print, const struct zr_scene *scene, c
     zr_print_count(print, "unplaced", c->unplaced);
     zr_print_count(print, "zeroNormals", scene->counts.zero_normals);
     zr_print_count(print, "leftOutCells", scene->counts.left_out_cells);
-    zr_print_count(print, "saturatedDepths", misfits);
+    zr_print_count(print, "saturatedDepths", clamped);
     if (frame->base) zr_print_count(print, "clampedBaseDepths", frame->base->clamped_depths);
     zr_print_end(print, '}');
 }
@@ -278,7 +278,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
 }
 
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
-                             uint64_t misfits, const struct zr_warning_list *warnings, const char *encoders,
+                             uint64_t clamped, const struct zr_warning_list *warnings, const char *encoders,
                              const struct zr_cancel *cancel, struct zr_buffer *out)
 {
     struct zr_print root = {.out = out}, *print = &root;
@@ -294,7 +294,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     if (depth_scale > 0.0f) zr_print_float(print, "depthScale", depth_scale);
     if (*encoders) zr_print_string(print, "encoders", encoders);
     if (patches)
-        print_counts(print, scene, frame, misfits);
+        print_counts(print, scene, frame, clamped);
     else
         print_given_counts(print, scene);
     zr_print_string(print, "look", zr_look_pin_of(scene->look).text);

@@ -16,7 +16,7 @@ enum { ZR_INFO_MESHES_MAX = 1000 };
  * `depth_scale` is 0 if no 16-bit depth was made. Without frame->face_id, nothing was drawn, and all
  * keys about pixels are left out. */
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
-                             uint64_t misfits, const struct zr_warning_list *warnings, const char *encoders,
+                             uint64_t clamped, const struct zr_warning_list *warnings, const char *encoders,
                              const struct zr_cancel *cancel, struct zr_buffer *out);
 
 #endif

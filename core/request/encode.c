@@ -32,7 +32,7 @@ struct encoding {
     const struct zr_scene *scene;
     const struct zr_frame *frame;
     float depth_scale;                         /* scene units per step of 16-bit depth; 0: no such output */
-    uint64_t misfits;                          /* pixels whose depth does not fit 16 bits */
+    uint64_t clamped;                          /* pixels whose depth does not fit 16 bits */
     char *encoders;                            /* ENCODERS_SIZE bytes: of files made so far */
     const struct zr_drawing_warnings *drawing; /* NULL: made from the scene */
     struct zr_warning_list warnings;
@@ -108,7 +108,7 @@ static enum zr_status encode_depth16(struct encoding *e, const struct zr_output 
                                  .spans = is_depth ? frame->spans : NULL,
                                  .scale = zr_depth16_scale(frame, output->scale),
                                  .range = output->has_range ? output->range : NULL,
-                                 .make_steps = zr_depth16_of(zr_team_isa(e->run->team))};
+                                 .quantize = zr_depth16_of(zr_team_isa(e->run->team))};
     if (!depth16.values) return ZR_NO_MEMORY;
     char comment[160];
     const int used = snprintf(comment, sizeof comment, "%s in scene units = value * %.9g; ",
@@ -127,7 +127,7 @@ static enum zr_status encode_depth16(struct encoding *e, const struct zr_output 
                                .compress = e->scene->compress};
     const enum zr_status status = zr_png_write(&png, e->run->team, e->run->cancel, out);
     if (is_depth) e->depth_scale = depth16.scale;
-    e->misfits += depth16.misfits;
+    e->clamped += depth16.clamped;
     return status;
 }
 
@@ -206,7 +206,7 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
         if (output->channel == ZR_CHANNEL_FRAGMENTS) return zr_fragments_json_write(e->scene, f, out);
         if (output->channel == ZR_CHANNEL_TRACE) return zr_trace_json_write(f->trace, e->run->cancel, out);
         if (output->channel == ZR_CHANNEL_MASKS) return zr_masks_json_write(e->scene, f, e->run->cancel, out);
-        return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, e->encoders, e->run->cancel, out);
+        return zr_info_write(e->scene, f, e->depth_scale, e->clamped, &e->warnings, e->encoders, e->run->cancel, out);
     case ZR_ENCODING_SVG:
         return zr_line_file_write(e->scene, f, out) ? ZR_OK : ZR_NO_MEMORY;
     case ZR_ENCODING_PFM:
@@ -239,7 +239,7 @@ static enum zr_status find_warnings(struct encoding *e)
 {
     const struct zr_drawing_warnings made =
         e->drawing ? *e->drawing : zr_drawing_warnings_make(e->run->arena, e->scene, e->frame);
-    e->warnings = zr_warnings_list(e->run->arena, &made, e->misfits);
+    e->warnings = zr_warnings_list(e->run->arena, &made, e->clamped);
     if (!zr_arena_ok(e->run->arena)) return ZR_NO_MEMORY;
     return zr_strict_check(e->scene, e->warnings.texts, e->warnings.count, e->run->error);
 }

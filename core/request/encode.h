@@ -18,7 +18,7 @@ struct zr_files {
     const char *encoders;            /* of JPEG and WebP, as in struct zr_answer */
 };
 
-/* Encodes each output. `drawing` may be NULL; with it, the scene needs no geometry (api/remains.h). Other arguments
+/* Encodes each output. `drawing` may be NULL; with it, the scene needs no geometry (api/encode_input.h). Other arguments
  * and errors are those of zr_encode, which makes its answer from these files. */
 enum zr_status zr_encode_files(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame,
                                const struct zr_drawing_warnings *drawing, struct zr_files *files);

@@ -21,8 +21,8 @@ struct zr_limits;
 struct zr_request;
 struct zr_scene_builder;
 struct zr_team;
-struct zr_keeping;    /* input/scene/kept.h */
-struct zr_file_scene; /* input/model/model_scene.h */
+struct zr_keeping;     /* input/scene/kept.h */
+struct zr_model_scene; /* input/model/model_scene.h */
 
 /* Reads a model file in any format of bare meshes, without a query, into a builder. */
 typedef enum zr_status zr_model_read_fn(struct zr_scene_builder *builder, const struct zr_request *request,
@@ -42,12 +42,12 @@ struct zr_scene_builder {
     size_t image_room;
     struct zr_texture *textures;
     size_t texture_room;
-    const struct zr_keeping *keeping; /* the scene is kept, or changes a kept one; or NULL */
-    zr_model_read_fn *read_model;     /* reads the files that a scene names as meshes */
-    uint8_t *asset_uses;              /* model file in a scene: flags per asset of the request; otherwise NULL */
-    bool *looked;                     /* set if the reader looks for other files of the request; or NULL */
-    const char *asset_folder;         /* model file in a scene: folder of its name, with a final slash; or NULL */
-    const struct zr_file_scene *file; /* nodes and materials of a bare mesh's own; or NULL */
+    const struct zr_keeping *keeping;  /* the scene is kept, or changes a kept one; or NULL */
+    zr_model_read_fn *read_model;      /* reads the files that a scene names as meshes */
+    uint8_t *asset_uses;               /* model file in a scene: flags per asset of the request; otherwise NULL */
+    bool *looked;                      /* set if the reader looks for other files of the request; or NULL */
+    const char *asset_folder;          /* model file in a scene: folder of its name, with a final slash; or NULL */
+    const struct zr_model_scene *file; /* nodes and materials of a bare mesh's own; or NULL */
 };
 
 /* Starts to build on *scene, which holds the defaults. */

@@ -3,13 +3,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "schema/schema.h"
-#include "input/text/number.h"
 #include "input/query/parameter_values.h"
 #include "input/query/parameters.h"
+#include "input/text/number.h"
 #include "parameter_rows.h"
 #include "scene/looks.h"
 #include "scene/shadings.h"
+#include "schema/schema.h"
 
 enum { TEXT_SIZE = 1024 };
 
@@ -21,7 +21,7 @@ static const struct row {
 } rows[] = {
 #define ANY                                   false
 #define MESH                                  true
-#define ROW(name, pointer, whose, kind, help) {#name, pointer, whose, ZR_PARAMETER_##kind, help},
+#define ROW(name, pointer, scope, kind, help) {#name, pointer, scope, ZR_PARAMETER_##kind, help},
     ZR_PARAMETER_ROWS(ROW)
 #undef ROW
 #undef ANY

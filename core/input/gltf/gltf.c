@@ -93,7 +93,7 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
     struct zr_limits used = *limits;
     struct zr_parsed_bytes text;
     struct zr_gltf *file = zr_arena_zero(builder->arena, 1, sizeof *file);
-    struct zr_file_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
+    struct zr_model_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
     if (!file || !made) return ZR_NO_MEMORY;
     if (used.json_depth_max > ZR_JSON_DEPTH_MAX) used.json_depth_max = ZR_JSON_DEPTH_MAX;
     const enum zr_status status = zr_gltf_unpack(builder, request->bytes, request->size, &text, &file->chunk, error);

@@ -58,8 +58,8 @@ struct given_sparse {
 #define AT(member) offsetof(struct given_sparse, member)
 static const struct zr_json_field sparse_fields[] = {
     {"count", zr_json_whole, AT(count), .required = true, .text = "number of elements"},
-    {"indices", zr_json_place, AT(indices), .required = true, .text = "numbers of the elements"},
-    {"values", zr_json_place, AT(values), .required = true, .text = "their values"},
+    {"indices", zr_json_value_start, AT(indices), .required = true, .text = "numbers of the elements"},
+    {"values", zr_json_value_start, AT(values), .required = true, .text = "their values"},
     ZR_GLTF_COMMON};
 static const struct zr_json_object sparse_object = ZR_JSON_OBJECT_OF("sparse", sparse_fields);
 #undef AT
@@ -96,7 +96,7 @@ static const struct zr_json_field fields[] = {
     [VIEW] = {.key = "bufferView", .read = zr_gltf_index, .offset = AT(accessor.view)},
     [OFFSET] = {.key = "byteOffset", .read = zr_json_whole, .offset = AT(accessor.offset)},
     [NORMALIZED] = {.key = "normalized", .read = zr_json_bool, .offset = AT(accessor.is_normalized)},
-    [SPARSE] = {.key = "sparse", .read = zr_json_place, .offset = AT(sparse)},
+    [SPARSE] = {.key = "sparse", .read = zr_json_value_start, .offset = AT(sparse)},
     {.key = "min", .read = zr_gltf_ignore},
     {.key = "max", .read = zr_gltf_ignore},
     ZR_GLTF_NAME,

@@ -18,8 +18,8 @@ struct given_animation {
 enum { CHANNELS, SAMPLERS };
 #define AT(member) offsetof(struct given_animation, member)
 static const struct zr_json_field fields[] = {
-    [CHANNELS] = {.key = "channels", .read = zr_json_place, .offset = AT(channels)},
-    [SAMPLERS] = {.key = "samplers", .read = zr_json_place, .offset = AT(samplers)},
+    [CHANNELS] = {.key = "channels", .read = zr_json_value_start, .offset = AT(channels)},
+    [SAMPLERS] = {.key = "samplers", .read = zr_json_value_start, .offset = AT(samplers)},
     {.key = "name", .read = zr_json_string, .offset = AT(name)},
     ZR_GLTF_COMMON};
 #undef AT
@@ -56,7 +56,7 @@ bool zr_gltf_choose_animation(struct zr_gltf *file, const struct zr_request *req
     file->made->animation_count = count;
     file->made->animation_names = all->names;
     if (request->time) zr_number_read(request->time, request->time + strlen(request->time), &all->time);
-    if (!zr_file_scene_find_animation(file->made, request->animation, &all->number)) return true;
+    if (!zr_model_scene_find_animation(file->made, request->animation, &all->number)) return true;
     file->poses = zr_arena_zero(arena, file->counts[ZR_GLTF_NODES], sizeof *file->poses);
     return zr_arena_ok(arena);
 }
@@ -246,7 +246,7 @@ struct channel {
 #define AT(member) offsetof(struct channel, member)
 static const struct zr_json_field channel_fields[] = {
     {"sampler", zr_gltf_index, AT(sampler), .required = true, .text = "number of the sampler"},
-    {"target", zr_json_place, AT(target), .required = true, .text = "node and property"},
+    {"target", zr_json_value_start, AT(target), .required = true, .text = "node and property"},
     ZR_GLTF_COMMON};
 #undef AT
 static const struct zr_json_object channel_object = ZR_JSON_OBJECT_OF("channel", channel_fields);

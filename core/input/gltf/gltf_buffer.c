@@ -38,7 +38,7 @@ static const struct zr_json_field view_fields[] = {
     [VIEW_OFFSET] = {.key = "byteOffset", .read = zr_json_whole, .offset = AT(view.offset)},
     [VIEW_STRIDE] = {.key = "byteStride", .read = zr_json_whole, .offset = AT(view.stride)},
     {.key = "target", .read = zr_gltf_ignore},
-    {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    {.key = "extensions", .read = zr_json_value_start, .offset = AT(extensions)},
     {.key = "extras", .read = zr_gltf_ignore},
     ZR_GLTF_NAME};
 #undef AT

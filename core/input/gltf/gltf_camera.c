@@ -48,14 +48,14 @@ enum { NAME, PERSPECTIVE, ORTHOGRAPHIC };
 #define AT(member) offsetof(struct given_camera, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {.key = "name", .read = zr_json_string, .offset = AT(name)},
-    [PERSPECTIVE] = {.key = "perspective", .read = zr_json_place, .offset = AT(perspective)},
-    [ORTHOGRAPHIC] = {.key = "orthographic", .read = zr_json_place, .offset = AT(orthographic)},
+    [PERSPECTIVE] = {.key = "perspective", .read = zr_json_value_start, .offset = AT(perspective)},
+    [ORTHOGRAPHIC] = {.key = "orthographic", .read = zr_json_value_start, .offset = AT(orthographic)},
     {.key = "type", .read = zr_gltf_ignore},
     ZR_GLTF_COMMON};
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("camera", fields);
 
-static void check_planes(struct zr_json *json, const struct zr_json_path *path, const struct zr_file_camera *camera)
+static void check_planes(struct zr_json *json, const struct zr_json_path *path, const struct zr_model_camera *camera)
 {
     if (camera->has_zfar && camera->zfar <= camera->znear)
         zr_json_fault(json, path, "zfar is %.9g and znear %.9g", (double)camera->zfar, (double)camera->znear);
@@ -63,7 +63,7 @@ static void check_planes(struct zr_json *json, const struct zr_json_path *path, 
 
 static void read_camera(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
-    struct zr_file_camera *camera = &file->cameras[number];
+    struct zr_model_camera *camera = &file->cameras[number];
     struct given_camera given = {"", NULL, NULL};
     struct given_projection projection = {1, 1, 1, 1, 2};
     const size_t faults = json->error->count;
@@ -77,15 +77,15 @@ static void read_camera(struct zr_gltf *file, struct zr_json *json, const struct
     struct zr_json there = zr_json_at(json, given.perspective ? given.perspective : given.orthographic);
     zr_gltf_fields(file, &there, ZR_JSON_KEY(path, fields[key].key),
                    given.perspective ? &perspective_object : &orthographic_object, &projection, &keys);
-    *camera = (struct zr_file_camera){.name = given.name,
-                                      .number = number,
-                                      .is_perspective = given.perspective != NULL,
-                                      .yfov_radians = given.perspective ? projection.yfov : 0.0f,
-                                      .xmag = given.perspective ? 0.0f : fabsf(projection.xmag),
-                                      .ymag = given.perspective ? 0.0f : fabsf(projection.ymag),
-                                      .has_zfar = zr_json_gives(keys, given.perspective ? P_ZFAR : O_ZFAR),
-                                      .znear = projection.znear,
-                                      .zfar = projection.zfar};
+    *camera = (struct zr_model_camera){.name = given.name,
+                                       .number = number,
+                                       .is_perspective = given.perspective != NULL,
+                                       .yfov_radians = given.perspective ? projection.yfov : 0.0f,
+                                       .xmag = given.perspective ? 0.0f : fabsf(projection.xmag),
+                                       .ymag = given.perspective ? 0.0f : fabsf(projection.ymag),
+                                       .has_zfar = zr_json_gives(keys, given.perspective ? P_ZFAR : O_ZFAR),
+                                       .znear = projection.znear,
+                                       .zfar = projection.zfar};
     if (!given.perspective && !(camera->xmag > 0.0f && camera->ymag > 0.0f))
         zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key), "xmag and ymag must not be 0");
     if (json->error->count == faults) check_planes(json, ZR_JSON_KEY(path, fields[key].key), camera);
@@ -102,7 +102,7 @@ bool zr_gltf_read_cameras(struct zr_gltf *file)
 
 void zr_gltf_place_camera(struct zr_gltf *file, uint32_t camera, const char *name, const zr_mat4 *camera_to_world)
 {
-    struct zr_file_camera *placed = &file->cameras[camera];
+    struct zr_model_camera *placed = &file->cameras[camera];
     if (file->placed_cameras[camera]) return;
     file->placed_cameras[camera] = true;
     placed->camera_to_world = *camera_to_world;
@@ -111,7 +111,7 @@ void zr_gltf_place_camera(struct zr_gltf *file, uint32_t camera, const char *nam
 
 void zr_gltf_keep_cameras(struct zr_gltf *file)
 {
-    struct zr_file_scene *made = file->made;
+    struct zr_model_scene *made = file->made;
     made->cameras = file->cameras;
     for (uint32_t i = 0; i < file->counts[ZR_GLTF_CAMERAS]; i++)
         if (file->placed_cameras[i]) made->cameras[made->camera_count++] = file->cameras[i];

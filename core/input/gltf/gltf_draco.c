@@ -19,7 +19,8 @@ enum { VIEW, ATTRIBUTES };
 #define AT(member) offsetof(struct given_mesh, member)
 static const struct zr_json_field fields[] = {
     [VIEW] = {"bufferView", zr_gltf_index, AT(view), .required = true, .text = "number of the view"},
-    [ATTRIBUTES] = {"attributes", zr_json_place, AT(attributes), .required = true, .text = "ids of the attributes"},
+    [ATTRIBUTES] = {"attributes", zr_json_value_start, AT(attributes), .required = true,
+                    .text = "ids of the attributes"},
     ZR_GLTF_COMMON};
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF(ZR_GLTF_DRACO, fields);

@@ -73,7 +73,7 @@ bool zr_gltf_extensions(struct zr_gltf *file, struct zr_json *json, const struct
 bool zr_gltf_find_extension(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
                             const char *name, const char **place)
 {
-    const struct zr_json_field field = {.key = name, .read = zr_json_place, .offset = 0};
+    const struct zr_json_field field = {.key = name, .read = zr_json_value_start, .offset = 0};
     const struct zr_json_object object = {.name = "extensions", .count = 1, .fields = &field};
     struct zr_json there = zr_json_at(&file->json, extensions);
     uint64_t keys;

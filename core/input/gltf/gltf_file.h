@@ -12,8 +12,8 @@
 #include "input/images/image_list.h"
 #include "input/json/json_bytes.h"
 #include "input/json/json_uris.h"
-#include "input/model/far_scene.h"
 #include "input/model/model_scene.h"
+#include "input/model/recenter_scene.h"
 
 #define ZR_GLTF_NONE UINT32_MAX
 
@@ -197,13 +197,13 @@ struct zr_gltf {
     uint32_t use, next_mesh;             /* entry that is read now; next mesh of the scene to make */
     const char *weights;                 /* JSON text of the weights of the mesh that is read now, or NULL */
     struct zr_gltf_skin *skins;
-    struct zr_file_camera *cameras; /* one per camera of the file */
+    struct zr_model_camera *cameras; /* one per camera of the file */
     uint32_t light_count;
     struct zr_light *lights; /* the file's lights before they are placed; ZR_LIGHT_HEMISPHERE: not usable */
     bool *placed_cameras;    /* one per camera: a node of the scene places it */
     uint32_t *mesh_materials;
-    const struct zr_far_move **moves; /* one per mesh of the scene, or NULL */
-    struct zr_file_scene *made;
+    const struct zr_recenter_move **moves; /* one per mesh of the scene, or NULL */
+    struct zr_model_scene *made;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, clamped_spots, specular_textures, gloss_textures;
     struct zr_gltf_note not_compressed, not_drawn; /* attributes of primitives with compressed data */

@@ -12,7 +12,7 @@ struct given_mesh {
     const char *primitives; /* place */
 };
 static const struct zr_json_field mesh_fields[] = {
-    {.key = "primitives", .read = zr_json_place, .offset = offsetof(struct given_mesh, primitives)}};
+    {.key = "primitives", .read = zr_json_value_start, .offset = offsetof(struct given_mesh, primitives)}};
 static const struct zr_json_object mesh_object = ZR_JSON_OBJECT_OF("mesh", mesh_fields);
 
 static void list_primitive(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)

@@ -8,7 +8,7 @@ struct given_instancing {
     const char *attributes;
 };
 static const struct zr_json_field fields[] = {{.key = "attributes",
-                                               .read = zr_json_place,
+                                               .read = zr_json_value_start,
                                                .offset = offsetof(struct given_instancing, attributes),
                                                .required = true,
                                                .text = "accessors of the poses"},

@@ -39,7 +39,7 @@ enum { TYPE, SPOT };
 #define AT(member) offsetof(struct given_light, member)
 static const struct zr_json_field fields[] = {
     [TYPE] = {"type", zr_json_string, AT(type), .required = true, .text = "directional, point or spot"},
-    [SPOT] = {.key = "spot", .read = zr_json_place, .offset = AT(spot)},
+    [SPOT] = {.key = "spot", .read = zr_json_value_start, .offset = AT(spot)},
     {.key = "color", .read = zr_gltf_three, .offset = AT(color)},
     {.key = "intensity", .read = zr_json_number, .offset = AT(intensity), .low = -DBL_MAX, .high = DBL_MAX},
     {.key = "range", .read = zr_json_number, .offset = AT(range), .low = -DBL_MAX, .high = DBL_MAX},
@@ -102,7 +102,7 @@ static void read_light(struct zr_gltf *file, struct zr_json *json, const struct 
 
 /* ---- the list of the file ---- */
 
-static const struct zr_json_field list_fields[] = {{.key = "lights", .read = zr_json_place, .offset = 0},
+static const struct zr_json_field list_fields[] = {{.key = "lights", .read = zr_json_value_start, .offset = 0},
                                                    ZR_GLTF_COMMON};
 static const struct zr_json_object list_object = ZR_JSON_OBJECT_OF(NAME, list_fields);
 
@@ -156,7 +156,7 @@ static bool is_near(const struct zr_gltf *file, const float *position)
 
 void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light, const zr_mat4 *world)
 {
-    struct zr_file_scene *made = file->made;
+    struct zr_model_scene *made = file->made;
     const float *m = world->m;
     struct zr_light placed = file->lights[light];
     const zr_vec3 axis = {-m[8], -m[9], -m[10]};

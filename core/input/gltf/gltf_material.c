@@ -37,9 +37,9 @@ static const struct zr_json_field pbr_fields[] = {
         {.key = "metallicFactor", .read = zr_json_number, .offset = AT(metallic), .low = -DBL_MAX, .high = DBL_MAX},
     [ROUGHNESS] =
         {.key = "roughnessFactor", .read = zr_json_number, .offset = AT(roughness), .low = -DBL_MAX, .high = DBL_MAX},
-    [BASE_COLOR_TEXTURE] = {.key = "baseColorTexture", .read = zr_json_place, .offset = AT(base_color_texture)},
+    [BASE_COLOR_TEXTURE] = {.key = "baseColorTexture", .read = zr_json_value_start, .offset = AT(base_color_texture)},
     [METALLIC_ROUGHNESS_TEXTURE] = {.key = "metallicRoughnessTexture",
-                                    .read = zr_json_place,
+                                    .read = zr_json_value_start,
                                     .offset = AT(metallic_roughness_texture)},
     ZR_GLTF_COMMON};
 #undef AT
@@ -78,11 +78,12 @@ struct given_extensions {
 enum { UNLIT, STRENGTH, IOR, SPECULAR, GLOSSINESS };
 #define AT(member) offsetof(struct given_extensions, member)
 static const struct zr_json_field extension_fields[] = {
-    [UNLIT] = {.key = "KHR_materials_unlit", .read = zr_json_place, .offset = AT(unlit)},
-    [STRENGTH] = {.key = "KHR_materials_emissive_strength", .read = zr_json_place, .offset = AT(strength)},
-    [IOR] = {.key = "KHR_materials_ior", .read = zr_json_place, .offset = AT(ior)},
-    [SPECULAR] = {.key = "KHR_materials_specular", .read = zr_json_place, .offset = AT(specular)},
-    [GLOSSINESS] = {.key = "KHR_materials_pbrSpecularGlossiness", .read = zr_json_place, .offset = AT(glossiness)}};
+    [UNLIT] = {.key = "KHR_materials_unlit", .read = zr_json_value_start, .offset = AT(unlit)},
+    [STRENGTH] = {.key = "KHR_materials_emissive_strength", .read = zr_json_value_start, .offset = AT(strength)},
+    [IOR] = {.key = "KHR_materials_ior", .read = zr_json_value_start, .offset = AT(ior)},
+    [SPECULAR] = {.key = "KHR_materials_specular", .read = zr_json_value_start, .offset = AT(specular)},
+    [GLOSSINESS] = {
+        .key = "KHR_materials_pbrSpecularGlossiness", .read = zr_json_value_start, .offset = AT(glossiness)}};
 #undef AT
 static const struct zr_json_object extension_object = ZR_JSON_OBJECT_OF("extensions", extension_fields);
 
@@ -146,16 +147,16 @@ enum { NAME, PBR, NORMAL, OCCLUSION, EMISSIVE, EMITTED, ALPHA_MODE, ALPHA_CUTOFF
 #define AT(member) offsetof(struct given_material, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {.key = "name", .read = zr_json_string, .offset = AT(name)},
-    [PBR] = {.key = "pbrMetallicRoughness", .read = zr_json_place, .offset = AT(pbr)},
-    [NORMAL] = {.key = "normalTexture", .read = zr_json_place, .offset = AT(normal)},
-    [OCCLUSION] = {.key = "occlusionTexture", .read = zr_json_place, .offset = AT(occlusion)},
-    [EMISSIVE] = {.key = "emissiveTexture", .read = zr_json_place, .offset = AT(emissive)},
+    [PBR] = {.key = "pbrMetallicRoughness", .read = zr_json_value_start, .offset = AT(pbr)},
+    [NORMAL] = {.key = "normalTexture", .read = zr_json_value_start, .offset = AT(normal)},
+    [OCCLUSION] = {.key = "occlusionTexture", .read = zr_json_value_start, .offset = AT(occlusion)},
+    [EMISSIVE] = {.key = "emissiveTexture", .read = zr_json_value_start, .offset = AT(emissive)},
     [EMITTED] = {.key = "emissiveFactor", .read = zr_gltf_three, .offset = AT(emitted)},
     [ALPHA_MODE] = {"alphaMode", zr_json_choice, AT(alpha_mode), .words = &zr_alpha_mode_names},
     [ALPHA_CUTOFF] =
         {.key = "alphaCutoff", .read = zr_json_number, .offset = AT(alpha_cutoff), .low = 0, .high = DBL_MAX},
     [DOUBLE_SIDED] = {.key = "doubleSided", .read = zr_json_flag, .offset = AT(is_double_sided)},
-    [EXTENSIONS] = {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    [EXTENSIONS] = {.key = "extensions", .read = zr_json_value_start, .offset = AT(extensions)},
     {.key = "extras", .read = zr_gltf_ignore}};
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("material", fields);
@@ -202,7 +203,7 @@ static bool read_material(struct zr_gltf *file, const char *place, const struct 
 
 static void note_place(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
-    zr_json_place(json, path, &file->material_places[number]);
+    zr_json_value_start(json, path, &file->material_places[number]);
 }
 
 bool zr_gltf_read_materials(struct zr_gltf *file)

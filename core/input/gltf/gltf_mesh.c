@@ -12,12 +12,13 @@ struct given_primitive {
 enum { ATTRIBUTES, INDICES, MATERIAL, MODE, TARGETS, EXTENSIONS };
 #define AT(member) offsetof(struct given_primitive, member)
 static const struct zr_json_field fields[] = {
-    [ATTRIBUTES] = {"attributes", zr_json_place, AT(attributes), .required = true, .text = "accessors of the vertices"},
+    [ATTRIBUTES] = {"attributes", zr_json_value_start, AT(attributes), .required = true,
+                    .text = "accessors of the vertices"},
     [INDICES] = {.key = "indices", .read = zr_gltf_index, .offset = AT(primitive.indices)},
     [MATERIAL] = {.key = "material", .read = zr_gltf_index, .offset = AT(primitive.material)},
     [MODE] = {.key = "mode", .read = zr_json_whole, .offset = AT(primitive.mode)},
-    [TARGETS] = {.key = "targets", .read = zr_json_place, .offset = AT(primitive.targets)},
-    [EXTENSIONS] = {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    [TARGETS] = {.key = "targets", .read = zr_json_value_start, .offset = AT(primitive.targets)},
+    [EXTENSIONS] = {.key = "extensions", .read = zr_json_value_start, .offset = AT(extensions)},
     {.key = "extras", .read = zr_gltf_ignore}};
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("primitive", fields);
@@ -60,9 +61,9 @@ struct given_mesh {
 enum { PRIMITIVES, NAME, WEIGHTS };
 #define AT(member) offsetof(struct given_mesh, member)
 static const struct zr_json_field mesh_fields[] = {
-    [PRIMITIVES] = {"primitives", zr_json_place, AT(primitives), .required = true, .text = "list of primitives"},
+    [PRIMITIVES] = {"primitives", zr_json_value_start, AT(primitives), .required = true, .text = "list of primitives"},
     [NAME] = {.key = "name", .read = zr_json_string, .offset = AT(name)},
-    [WEIGHTS] = {.key = "weights", .read = zr_json_place, .offset = AT(weights)},
+    [WEIGHTS] = {.key = "weights", .read = zr_json_value_start, .offset = AT(weights)},
     ZR_GLTF_COMMON};
 #undef AT
 static const struct zr_json_object mesh_object = ZR_JSON_OBJECT_OF("mesh", mesh_fields);

@@ -22,7 +22,7 @@ struct given_node {
 static bool read_translation(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct given_node *node = out;
-    const double limit = zr_far_limit(json->limits);
+    const double limit = zr_recenter_limit(json->limits);
     size_t count;
     if (!zr_json_numbers(json, path, 3, 3, -limit, limit, node->exact, &count)) return false;
     node->translation = (zr_vec3){(float)node->exact[0], (float)node->exact[1], (float)node->exact[2]};
@@ -47,7 +47,7 @@ enum { NAME, CHILDREN, MESH, SKIN, MATRIX, TRANSLATION, ROTATION, SCALE, CAMERA 
 #define AT(member) offsetof(struct given_node, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {.key = "name", .read = zr_json_string, .offset = AT(name)},
-    [CHILDREN] = {.key = "children", .read = zr_json_place, .offset = AT(children)},
+    [CHILDREN] = {.key = "children", .read = zr_json_value_start, .offset = AT(children)},
     [MESH] = {.key = "mesh", .read = zr_gltf_index, .offset = AT(mesh)},
     [SKIN] = {.key = "skin", .read = zr_gltf_index, .offset = AT(skin)},
     [MATRIX] = {.key = "matrix", .read = read_matrix},
@@ -55,8 +55,8 @@ static const struct zr_json_field fields[] = {
     [ROTATION] = {.key = "rotation", .read = zr_json_vec4, .offset = AT(rotation)},
     [SCALE] = {.key = "scale", .read = zr_json_vec3, .offset = AT(scale)},
     [CAMERA] = {.key = "camera", .read = zr_gltf_index, .offset = AT(camera)},
-    {.key = "weights", .read = zr_json_place, .offset = AT(weights)},
-    {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    {.key = "weights", .read = zr_json_value_start, .offset = AT(weights)},
+    {.key = "extensions", .read = zr_json_value_start, .offset = AT(extensions)},
     {.key = "extras", .read = zr_gltf_ignore}};
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("node", fields);
@@ -175,7 +175,7 @@ struct given_scene {
     const char *nodes;
 };
 static const struct zr_json_field scene_fields[] = {
-    {.key = "nodes", .read = zr_json_place, .offset = offsetof(struct given_scene, nodes)},
+    {.key = "nodes", .read = zr_json_value_start, .offset = offsetof(struct given_scene, nodes)},
     ZR_GLTF_NAME,
     ZR_GLTF_COMMON};
 static const struct zr_json_object scene_object = ZR_JSON_OBJECT_OF("scene", scene_fields);

@@ -30,7 +30,7 @@ static void put_instances(const struct zr_gltf_use *use, const struct zr_instanc
 
 static bool expand(struct zr_gltf *file, const struct zr_placement *placement, struct zr_matrix **exact)
 {
-    struct zr_file_scene *made = file->made;
+    struct zr_model_scene *made = file->made;
     struct zr_json *json = &file->json;
     uint64_t count = 0;
     for (uint32_t i = 0; i < placement->count; i++) {
@@ -75,7 +75,7 @@ static void move_cameras(struct zr_gltf *file, const struct zr_matrix *locals, c
 {
     const struct zr_gltf_nodes *all = file->nodes;
     for (uint32_t k = 0; k < file->made->camera_count; k++) {
-        struct zr_file_camera *camera = &file->made->cameras[k];
+        struct zr_model_camera *camera = &file->made->cameras[k];
         uint32_t node = 0;
         while (node < all->count && !(all->is_drawn[node] && all->cameras[node] == camera->number))
             node++;
@@ -89,7 +89,7 @@ static void move_cameras(struct zr_gltf *file, const struct zr_matrix *locals, c
 }
 
 /* Subtracts the origin from the positions of the lights, which were rounded to float before. */
-static void move_lights(struct zr_file_scene *made, const double *origin)
+static void move_lights(struct zr_model_scene *made, const double *origin)
 {
     for (uint32_t i = 0; i < made->light_count; i++) {
         zr_vec3 *at = &made->lights[i].position;
@@ -102,12 +102,12 @@ static void move_lights(struct zr_file_scene *made, const double *origin)
 static void place_far(struct zr_gltf *file, struct zr_nodes *hierarchy)
 {
     struct zr_json *json = &file->json;
-    struct zr_file_scene *made = file->made;
+    struct zr_model_scene *made = file->made;
     struct zr_scene *scene = file->builder->scene;
     struct zr_matrix *exact;
-    struct zr_far_scene far = {
+    struct zr_recenter_scene far = {
         .count = made->instance_count, .instances = made->instances, .meshes = scene->meshes, .moves = file->moves};
-    if (!zr_far_instances_needed(&far, json->limits)) return;
+    if (!zr_recenter_instances_needed(&far, json->limits)) return;
     hierarchy->exact = find_exact(file);
     if (!hierarchy->exact) return;
     const struct zr_placement placement =
@@ -115,7 +115,7 @@ static void place_far(struct zr_gltf *file, struct zr_nodes *hierarchy)
     if (!zr_arena_ok(json->arena) || zr_is_cancelled(json->cancel) || !expand(file, &placement, &exact)) return;
     far.instances = made->instances;
     far.exact = exact;
-    if (zr_far_instances(json->arena, json->cancel, json->limits, &far, &scene->origin, json->error) == ZR_OK &&
+    if (zr_recenter_instances(json->arena, json->cancel, json->limits, &far, &scene->origin, json->error) == ZR_OK &&
         scene->origin) {
         move_cameras(file, hierarchy->exact, scene->origin);
         move_lights(made, scene->origin);

@@ -26,7 +26,7 @@ static zr_vec4 *read_positions(struct zr_gltf *file, const struct zr_gltf_values
     zr_vec4 *positions = allocate(file, range->count, sizeof *positions);
     struct zr_json *json = &file->json;
     const bool is_bent = file->uses[file->use].skin != ZR_GLTF_NONE;
-    const double limit = is_bent ? (double)json->limits->coordinate_max : zr_far_limit(json->limits);
+    const double limit = is_bent ? (double)json->limits->coordinate_max : zr_recenter_limit(json->limits);
     if (!positions || !zr_gltf_read_floats(file, values, range->first, range->count, limit, &positions[0].x, 4))
         return NULL;
     const float near = json->limits->coordinate_max;
@@ -36,8 +36,8 @@ static zr_vec4 *read_positions(struct zr_gltf *file, const struct zr_gltf_values
         positions[i].w = 1.0f;
     }
     if (!is_far) return positions;
-    return zr_far_move_floats(json->arena, json->cancel, json->limits, positions, range->count, &file->moves[mesh],
-                              json->error) == ZR_OK
+    return zr_recenter_move_floats(json->arena, json->cancel, json->limits, positions, range->count, &file->moves[mesh],
+                                   json->error) == ZR_OK
                ? positions
                : NULL;
 }

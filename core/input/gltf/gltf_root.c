@@ -2,7 +2,7 @@
 #include "input/gltf/gltf_file.h"
 
 static const struct zr_json_field fields[] = {
-#define PLACE(ID, name) [ID] = {.key = name, .read = zr_json_place, .offset = sizeof(const char *) * (ID)}
+#define PLACE(ID, name) [ID] = {.key = name, .read = zr_json_value_start, .offset = sizeof(const char *) * (ID)}
     PLACE(ZR_GLTF_ASSET, "asset"),
     PLACE(ZR_GLTF_EXTENSIONS, "extensions"),
     PLACE(ZR_GLTF_ACCESSORS, "accessors"),

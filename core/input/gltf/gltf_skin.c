@@ -20,7 +20,8 @@ struct zr_gltf_skin {
 enum { JOINTS, INVERSE };
 #define AT(member) offsetof(struct zr_gltf_skin, member)
 static const struct zr_json_field fields[] = {
-    [JOINTS] = {.key = "joints", .read = zr_json_place, .offset = AT(joints), .required = true, .text = "its nodes"},
+    [JOINTS] =
+        {.key = "joints", .read = zr_json_value_start, .offset = AT(joints), .required = true, .text = "its nodes"},
     [INVERSE] = {.key = "inverseBindMatrices", .read = zr_gltf_index, .offset = AT(inverse)},
     {.key = "skeleton", .read = zr_gltf_ignore},
     ZR_GLTF_NAME,

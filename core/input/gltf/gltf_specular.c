@@ -72,8 +72,8 @@ static const struct zr_json_field glossiness_fields[] = {
     {.key = "diffuseFactor", .read = zr_gltf_four, .offset = AT(diffuse)},
     {.key = "specularFactor", .read = zr_gltf_three, .offset = AT(specular)},
     NUMBER("glossinessFactor", AT(glossiness)),
-    {.key = "diffuseTexture", .read = zr_json_place, .offset = AT(diffuse_texture)},
-    {.key = "specularGlossinessTexture", .read = zr_json_place, .offset = AT(texture)},
+    {.key = "diffuseTexture", .read = zr_json_value_start, .offset = AT(diffuse_texture)},
+    {.key = "specularGlossinessTexture", .read = zr_json_value_start, .offset = AT(texture)},
     ZR_GLTF_COMMON};
 #undef AT
 static const struct zr_json_object glossiness_object =

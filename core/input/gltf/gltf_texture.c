@@ -126,7 +126,7 @@ enum { SOURCE, SAMPLER };
 static const struct zr_json_field texture_fields[] = {
     [SOURCE] = {.key = "source", .read = zr_gltf_index, .offset = AT(texture.source)},
     [SAMPLER] = {.key = "sampler", .read = zr_gltf_index, .offset = AT(texture.sampler)},
-    {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    {.key = "extensions", .read = zr_json_value_start, .offset = AT(extensions)},
     {.key = "extras", .read = zr_gltf_ignore},
     ZR_GLTF_NAME};
 #undef AT
@@ -227,7 +227,7 @@ static const struct zr_json_field info_fields[] = {
     [SET] = {.key = "texCoord", .read = zr_json_whole, .offset = AT(texcoord)},
     [NORMAL_SCALE] = {.key = "scale", .read = zr_json_float, .offset = AT(scale), .low = -1000, .high = 1000},
     [STRENGTH] = {.key = "strength", .read = zr_json_float, .offset = AT(strength), .low = 0, .high = 1},
-    {.key = "extensions", .read = zr_json_place, .offset = AT(extensions)},
+    {.key = "extensions", .read = zr_json_value_start, .offset = AT(extensions)},
     {.key = "extras", .read = zr_gltf_ignore}};
 #undef AT
 static const struct zr_json_object info_object = ZR_JSON_OBJECT_OF("textureInfo", info_fields);

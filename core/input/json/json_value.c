@@ -106,7 +106,7 @@ bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const
     return true;
 }
 
-bool zr_json_place(struct zr_json *json, const struct zr_json_path *path, void *out)
+bool zr_json_value_start(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     (void)path;
     zr_json_type(json);

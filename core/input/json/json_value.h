@@ -27,7 +27,7 @@ bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const
 /* ---- values; `field` is path->field ---- */
 
 /* const char *: the first byte of the value, which is skipped for a later reader. */
-zr_json_read_fn zr_json_place;
+zr_json_read_fn zr_json_value_start;
 
 /* double, float: finite numbers, field->low <= value <= field->high. */
 zr_json_read_fn zr_json_number, zr_json_float;

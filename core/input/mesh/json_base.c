@@ -28,7 +28,8 @@ struct reader {
 
 #define IMAGE(key, number, what)                                                                                       \
     {                                                                                                                  \
-        key, zr_json_place, offsetof(struct reader, places[number]), .text = what, .schema = ZR_SCHEMA_OF("file")      \
+        key, zr_json_value_start, offsetof(struct reader, places[number]), .text = what,                               \
+                                                                           .schema = ZR_SCHEMA_OF("file")              \
     }
 static const struct zr_json_field fields[] = {
     [COLOR] = IMAGE("color", COLOR, "picture, a PNG of the window's size"),

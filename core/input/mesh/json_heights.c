@@ -7,7 +7,7 @@
 #include "base/checked.h"
 #include "input/json/json_array.h"
 #include "input/json/json_list.h"
-#include "input/json/json_rows.h"
+#include "input/json/json_number_rows.h"
 #include "input/scene/json_objects.h"
 
 /* Four corners per cell are counted in 32 bits. */
@@ -21,7 +21,7 @@ enum { VALUES_A_LOOK = 1 << 16 };
 /* Reads a number or null, a hole, in usual form. Returns the ',' or ']' after it, or NULL. */
 static const char *read_plain(const char *at, const char *end, double limit, float *out)
 {
-    const char *behind = zr_row_next(at, end, -limit, limit, out);
+    const char *behind = zr_numbers_next(at, end, -limit, limit, out);
     if (behind) return behind;
     at = zr_json_skip_space(at + 1, end);
     if (end - at < 4 || memcmp(at, "null", 4) != 0) return NULL;

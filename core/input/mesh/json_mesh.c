@@ -168,8 +168,9 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, void 
 /* ---- meshes ---- */
 
 /* Returns the items of a list that must have `wanted` items; NULL if it is not given. Reports another length. */
-static const void *one_each(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
-                            int key, const struct zr_growing *list, size_t wanted, const char *of)
+static const void *per_position(struct zr_json *json, const struct zr_json_path *path,
+                                const struct zr_parsed_mesh *given, int key, const struct zr_growing *list,
+                                size_t wanted, const char *of)
 {
     if (!gives(given, key)) return NULL;
     if (list->count != wanted)
@@ -233,9 +234,9 @@ static void make_texcoords(struct zr_json *json, const struct zr_json_path *path
                            struct zr_mesh *mesh)
 {
     const size_t count = mesh->position_count;
-    const float *first = one_each(json, path, given, TEXCOORDS, &given->texcoords, count, "positions");
-    const float *second = one_each(json, path, given, TEXCOORDS1, &given->texcoords1, count, "positions");
-    mesh->tangents = one_each(json, path, given, TANGENTS, &given->tangents, count, "positions");
+    const float *first = per_position(json, path, given, TEXCOORDS, &given->texcoords, count, "positions");
+    const float *second = per_position(json, path, given, TEXCOORDS1, &given->texcoords1, count, "positions");
+    mesh->tangents = per_position(json, path, given, TANGENTS, &given->tangents, count, "positions");
     if ((!first && !second) || json->error->count > 0) return;
     zr_vec4 *texcoords = zr_arena_alloc(json->arena, count, sizeof *texcoords);
     for (size_t i = 0; texcoords && i < count; i++) {
@@ -277,10 +278,10 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
         mesh->point_size = given->point_size;
         mesh->points_are_round = given->point_shape == ZR_POINT_ROUND;
     }
-    mesh->normals = one_each(json, path, given, NORMALS, &given->normals, mesh->position_count, "positions");
+    mesh->normals = per_position(json, path, given, NORMALS, &given->normals, mesh->position_count, "positions");
     mesh->normal_count = mesh->normals ? mesh->position_count : 0;
-    mesh->colors = one_each(json, path, given, COLORS, &given->colors, mesh->position_count, "positions");
-    mesh->face_colors = one_each(json, path, given, FACE_COLORS, &given->face_colors, mesh->face_count, "faces");
+    mesh->colors = per_position(json, path, given, COLORS, &given->colors, mesh->position_count, "positions");
+    mesh->face_colors = per_position(json, path, given, FACE_COLORS, &given->face_colors, mesh->face_count, "faces");
     zr_scalars_apply(json, path, &given->scalars, gives(given, HEIGHTS) ? given->heights.values.items : NULL,
                      &root->builder->color_warnings, mesh);
     make_texcoords(json, path, given, mesh);

@@ -1,6 +1,6 @@
 #include "input/json/json_array.h"
 #include "input/json/json_list.h"
-#include "input/json/json_rows.h"
+#include "input/json/json_number_rows.h"
 #include "input/mesh/parsed_mesh.h"
 #include "scene/texture.h"
 
@@ -129,7 +129,7 @@ static void read_face_items(struct zr_json *json, const struct zr_json_path *pat
         uint32_t *corners = (uint32_t *)indices->items + indices->count;
         size_t count = 0;
         const char *behind =
-            zr_row_indices(json->at, json->end, faces->positions, most < room ? most : room, corners, &count);
+            zr_numbers_indices(json->at, json->end, faces->positions, most < room ? most : room, corners, &count);
         if (behind && count >= 3) {
             json->at = behind;
             indices->count += count;
@@ -224,7 +224,7 @@ static void read_line_items(struct zr_json *json, const struct zr_json_path *pat
     uint32_t *line;
     while (json->at < until && zr_json_item(json) && (line = zr_growing_next(ends, json))) {
         size_t count = 0;
-        const char *behind = zr_row_indices(json->at, json->end, lines->positions, 2, line, &count);
+        const char *behind = zr_numbers_indices(json->at, json->end, lines->positions, 2, line, &count);
         if (behind && count == 2)
             json->at = behind;
         else

@@ -114,7 +114,7 @@ static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *p
 static bool place(struct zr_model *model)
 {
     struct zr_scene *scene = &model->scene;
-    const struct zr_file_scene *file = model->builder.file;
+    const struct zr_model_scene *file = model->builder.file;
     scene->instance_count = file ? file->instance_count : scene->mesh_count;
     struct zr_instance *all = zr_arena_alloc(model->builder.arena, scene->instance_count, sizeof *all);
     scene->instances = all;
@@ -170,7 +170,7 @@ static uint32_t *add_textures(struct zr_parsed_scene *root, const struct zr_mode
 /* Returns the file's materials with the scene's numbers of textures. */
 static struct zr_parsed_material *take_materials(struct zr_parsed_scene *root, const struct zr_model *model)
 {
-    const struct zr_file_scene *file = model->builder.file;
+    const struct zr_model_scene *file = model->builder.file;
     const uint32_t count = file ? file->material_count : 0;
     struct zr_parsed_material *all = zr_arena_alloc(root->json.arena, count, sizeof *all);
     const uint32_t *numbers = add_textures(root, model);
@@ -179,7 +179,7 @@ static struct zr_parsed_material *take_materials(struct zr_parsed_scene *root, c
         all[i] = file->materials[i];
         for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
             all[i].textures[slot].number = numbers[all[i].textures[slot].number];
-        zr_file_scene_fit_look(root, &all[i]);
+        zr_model_scene_fit_look(root, &all[i]);
     }
     return all;
 }
@@ -192,7 +192,7 @@ static void make_plain(struct zr_parsed_scene *root, const struct zr_style *styl
 }
 
 /* Makes the material of one of the file's meshes: the scene's, else the file's, else the look's. */
-static void make_material(struct zr_parsed_scene *root, const struct zr_file_scene *file, uint32_t which,
+static void make_material(struct zr_parsed_scene *root, const struct zr_model_scene *file, uint32_t which,
                           const struct zr_style *style, struct zr_parsed_material *own, struct zr_mesh *mesh)
 {
     struct zr_parsed_material *const listed = root->materials;
@@ -203,7 +203,7 @@ static void make_material(struct zr_parsed_scene *root, const struct zr_file_sce
     }
     root->materials = own;
     root->material_count = file->material_count;
-    zr_file_scene_make_mesh(root, file, which, style, mesh);
+    zr_model_scene_make_mesh(root, file, which, style, mesh);
     root->materials = listed;
     root->material_count = listed_count;
 }
@@ -299,18 +299,18 @@ static const struct zr_model *model_of(const struct zr_parsed_scene *root, const
 void zr_parsed_use_model_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                 const struct zr_instance *instances, uint32_t count)
 {
-    const struct zr_file_scene *file = NULL;
+    const struct zr_model_scene *file = NULL;
     for (uint32_t i = 0; i < count; i++) {
         const struct zr_model *model = model_of(root, &instances[i]);
         if (!model || !model->builder.file) continue;
         if (!file || file->camera_count == 0) file = model->builder.file; /* for the message */
-        if (!zr_file_scene_find_camera(model->builder.file, root->camera)) continue;
-        zr_file_scene_use_camera(root, path, model->builder.file, root->camera, &instances[i].object_to_world);
+        if (!zr_model_scene_find_camera(model->builder.file, root->camera)) continue;
+        zr_model_scene_use_camera(root, path, model->builder.file, root->camera, &instances[i].object_to_world);
         return;
     }
     if (file)
-        zr_file_scene_use_camera(root, path, file, root->camera, NULL); /* reports the names of the cameras */
-    else if (root->json.error->count == 0)                              /* files with faults may have cameras */
+        zr_model_scene_use_camera(root, path, file, root->camera, NULL); /* reports the names of the cameras */
+    else if (root->json.error->count == 0)                               /* files with faults may have cameras */
         zr_json_fault(&root->json, path, "no mesh of the scene is a file with cameras");
 }
 

@@ -104,7 +104,7 @@ enum { NAME, MESH, MATRIX, TRANSLATION, ROTATION, SCALE, CHILDREN };
 #define AT(member) offsetof(struct given_node, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .text = "name for parents and the output info"},
-    [MESH] = {"mesh", zr_json_place, AT(mesh), .otherwise = "a group", .text = "number or name of a mesh",
+    [MESH] = {"mesh", zr_json_value_start, AT(mesh), .otherwise = "a group", .text = "number or name of a mesh",
               .schema = ZR_SCHEMA({"anyOf" : [ {"$ref" : "#/$defs/index"}, {"type" : "string"} ]})},
     [MATRIX] = {"matrix", zr_json_affine, AT(matrix), .otherwise = "the identity",
                 .text = "transformation to the parent's space"},
@@ -113,7 +113,7 @@ static const struct zr_json_field fields[] = {
     [ROTATION] = {"rotation", zr_json_vec4, AT(rotation), .otherwise = "[0, 0, 0, 1]",
                   .text = "rotation as a quaternion x, y, z, w, after scale", .schema = ZR_SCHEMA_OF("quaternion")},
     [SCALE] = {"scale", zr_json_vec3, AT(scale), .otherwise = "[1, 1, 1]", .text = "factor per axis"},
-    [CHILDREN] = {"children", zr_json_place, AT(children), .otherwise = "[]", .text = "numbers or names of child nodes",
+    [CHILDREN] = {"children", zr_json_value_start, AT(children), .otherwise = "[]", .text = "numbers or names of child nodes",
                   .schema = ZR_SCHEMA(
                       {"type" : "array", "items" : {"anyOf" : [ {"$ref" : "#/$defs/index"}, {"type" : "string"} ]}})}};
 static const struct zr_json_rule rules[] = {

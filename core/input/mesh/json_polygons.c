@@ -1,7 +1,7 @@
 /* Reads polygons, the simple form of a scene, into the arrays of json_soup.h. */
 #include "input/json/json_array.h"
 #include "input/json/json_list.h"
-#include "input/json/json_rows.h"
+#include "input/json/json_number_rows.h"
 #include "input/mesh/json_soup.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
@@ -79,7 +79,7 @@ static bool read_normals(struct zr_json *json, const struct zr_json_path *path, 
 static bool read_color(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     zr_json_type(json);
-    const char *behind = zr_row_color(json->at, json->end, out);
+    const char *behind = zr_numbers_color(json->at, json->end, out);
     if (!behind) return zr_json_color(json, path, out);
     json->at = behind;
     return true;
@@ -99,7 +99,7 @@ enum { VERTICES, HOLES, COLOR, COLORS, NORMALS, MATERIAL };
 static const struct zr_json_field fields[] = {
     [VERTICES] = {"vertices", read_ring, 0, .required = true, .unit = "scene units",
                   .text = "list of [x,y,z] or [x,y,z,w], counter-clockwise", .schema = ZR_SCHEMA_OF("ring")},
-    [HOLES] = {"holes", zr_json_place, AT(holes), .otherwise = "[]", .text = "rings of vertices to cut out",
+    [HOLES] = {"holes", zr_json_value_start, AT(holes), .otherwise = "[]", .text = "rings of vertices to cut out",
                .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/ring"}})},
     [COLOR] = {"color", read_color, AT(color), .otherwise = "white", .text = "colour of the polygon",
                .schema = ZR_SCHEMA_OF("color")},

@@ -7,7 +7,7 @@
 
 #include "base/cancel.h"
 #include "input/json/json_array.h"
-#include "input/json/json_rows.h"
+#include "input/json/json_number_rows.h"
 #include "scene/degenerate_face.h"
 #include "scene/mesh_label.h"
 
@@ -25,7 +25,7 @@ static bool read_plain(struct zr_json *json, struct zr_growing *values)
     const char *behind;
     float *value;
     while ((value = zr_growing_next(values, json)) &&
-           (behind = zr_row_next(json->at, json->end, -VALUE_MAX, VALUE_MAX, value))) {
+           (behind = zr_numbers_next(json->at, json->end, -VALUE_MAX, VALUE_MAX, value))) {
         values->count++;
         json->at = behind;
         if (*behind == ']') {

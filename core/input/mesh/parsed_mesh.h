@@ -48,7 +48,7 @@ struct zr_parsed_mesh {
 /* json_model.c: a mesh that is a model file, such as {"asset": "robot.glb"}.
  *
  * Order:  a file is read with the list of meshes; its materials and instances are made once the root is read.
- * Axes:   those of the file. A far origin (far.h) is added to its instances again.
+ * Axes:   those of the file. A far origin (recenter.h) is added to its instances again.
  * Meshes: mesh i of the list is mesh i of the scene. The other meshes of its file follow the list and the polygons.
  *         Their entries of scene->mesh_owners are i.
  *

@@ -13,7 +13,7 @@ static void list(struct zr_names_text *names, const char *name, uint32_t number)
     zr_names_text_add(names, *name ? zr_quote(name, strlen(name)).text : digits);
 }
 
-struct zr_names_text zr_file_scene_cameras(const struct zr_file_scene *file)
+struct zr_names_text zr_model_scene_cameras(const struct zr_model_scene *file)
 {
     struct zr_names_text names = {""};
     for (uint32_t i = 0; i < file->camera_count; i++)
@@ -28,7 +28,7 @@ static bool is_number(const char *text, uint32_t number)
     return strcmp(text, digits) == 0;
 }
 
-const struct zr_file_camera *zr_file_scene_find_camera(const struct zr_file_scene *file, const char *wanted)
+const struct zr_model_camera *zr_model_scene_find_camera(const struct zr_model_scene *file, const char *wanted)
 {
     for (uint32_t i = 0; i < file->camera_count; i++)
         if (strcmp(file->cameras[i].name, wanted) == 0) return &file->cameras[i];
@@ -37,7 +37,7 @@ const struct zr_file_camera *zr_file_scene_find_camera(const struct zr_file_scen
     return NULL;
 }
 
-bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *wanted, uint32_t *number)
+bool zr_model_scene_find_animation(const struct zr_model_scene *file, const char *wanted, uint32_t *number)
 {
     for (*number = 0; *number < file->animation_count; ++*number)
         if (!wanted || strcmp(file->animation_names[*number], wanted) == 0) return true;
@@ -46,7 +46,7 @@ bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *
     return false;
 }
 
-struct zr_names_text zr_file_scene_animations(const struct zr_file_scene *file)
+struct zr_names_text zr_model_scene_animations(const struct zr_model_scene *file)
 {
     struct zr_names_text names = {""};
     for (uint32_t i = 0; i < file->animation_count; i++)

@@ -10,10 +10,10 @@
 #include "scene/scene.h"
 #include "scene/scene_builder.h"
 
-#define ZR_FILE_MATERIAL_NONE UINT32_MAX
+#define ZR_MODEL_MATERIAL_NONE UINT32_MAX
 
 /* A camera that a node of the scene places. */
-struct zr_file_camera {
+struct zr_model_camera {
     const char *name; /* the camera's name, else its node's name, else "" */
     uint32_t number;  /* in the file */
     zr_mat4 camera_to_world;
@@ -23,14 +23,14 @@ struct zr_file_camera {
     float znear, zfar;
 };
 
-struct zr_file_scene {
+struct zr_model_scene {
     uint32_t instance_count;
     struct zr_instance *instances;
     uint32_t material_count;
     struct zr_parsed_material *materials;
     bool blends_colors; /* colours with an alpha below 1 are blended, unless an alphaMode applies */
     uint32_t camera_count;
-    struct zr_file_camera *cameras;
+    struct zr_model_camera *cameras;
     uint32_t light_count;
     struct zr_light *lights;               /* directions and positions are in the file's space */
     struct zr_warning_list light_warnings; /* added if the lights are used */
@@ -42,13 +42,13 @@ struct zr_file_scene {
 };
 
 /* Returns the camera of this name, else the one of this number, else NULL. */
-const struct zr_file_camera *zr_file_scene_find_camera(const struct zr_file_scene *file, const char *wanted);
+const struct zr_model_camera *zr_model_scene_find_camera(const struct zr_model_scene *file, const char *wanted);
 
 /* Finds an animation by its name, else by its number; NULL: the first one. False if there is none. */
-bool zr_file_scene_find_animation(const struct zr_file_scene *file, const char *wanted, uint32_t *number);
+bool zr_model_scene_find_animation(const struct zr_model_scene *file, const char *wanted, uint32_t *number);
 
 /* Lists the names of cameras or animations for a message; a number stands for an empty name. */
-struct zr_names_text zr_file_scene_cameras(const struct zr_file_scene *file);
-struct zr_names_text zr_file_scene_animations(const struct zr_file_scene *file);
+struct zr_names_text zr_model_scene_cameras(const struct zr_model_scene *file);
+struct zr_names_text zr_model_scene_animations(const struct zr_model_scene *file);
 
 #endif

@@ -42,7 +42,7 @@ bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length);
 /* Indexes the only asset whose name ends in .mtl, for files that were renamed. Returns its name, or NULL. */
 const char *zr_mtl_add_only(struct zr_mtl *mtl);
 
-/* Returns the number of a material in zr_mtl_made(mtl), or ZR_FILE_MATERIAL_NONE. zr_mtl_make_used sets its values. */
+/* Returns the number of a material in zr_mtl_made(mtl), or ZR_MODEL_MATERIAL_NONE. zr_mtl_make_used sets its values. */
 uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length);
 
 /* mtl_used.c: reads the used materials, in the order of their first uses. Decodes their images by several threads.
@@ -56,7 +56,7 @@ void zr_mtl_close(struct zr_mtl *mtl);
 enum zr_status zr_mtl_status(const struct zr_mtl *mtl);
 
 /* The materials that are used, and the number of indexed files. True for maps: a material of theirs has one. */
-struct zr_file_scene *zr_mtl_made(const struct zr_mtl *mtl);
+struct zr_model_scene *zr_mtl_made(const struct zr_mtl *mtl);
 uint32_t zr_mtl_file_count(const struct zr_mtl *mtl);
 bool zr_mtl_has_maps(const struct zr_mtl *mtl);
 

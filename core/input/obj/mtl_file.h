@@ -52,7 +52,7 @@ struct zr_mtl_noted {
 /* A material of a file: its name, and the lines below it. */
 struct zr_mtl_entry {
     struct zr_mtl_text name, lines;
-    uint32_t number; /* in mtl->made, or ZR_FILE_MATERIAL_NONE: not used yet */
+    uint32_t number; /* in mtl->made, or ZR_MODEL_MATERIAL_NONE: not used yet */
     uint32_t order;  /* position in the files */
 };
 
@@ -90,7 +90,7 @@ struct zr_mtl {
     struct zr_scene_builder *builder;
     struct zr_parsed_assets assets;
     struct zr_image_list decoded; /* images of maps */
-    struct zr_file_scene *made;
+    struct zr_model_scene *made;
     struct zr_mtl_entry *entries; /* sorted by name at the first search */
     uint32_t count, room, material_room, file_count, sought_count;
     bool is_sorted, has_maps;

@@ -14,7 +14,7 @@ struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_req
                            const struct zr_limits *limits, struct zr_error *error)
 {
     struct zr_mtl *mtl = zr_arena_zero(builder->arena, 1, sizeof *mtl);
-    struct zr_file_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
+    struct zr_model_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
     if (!mtl || !made) return NULL;
     mtl->made = made;
     mtl->error = error;
@@ -32,7 +32,7 @@ enum zr_status zr_mtl_status(const struct zr_mtl *mtl)
     return mtl->status;
 }
 
-struct zr_file_scene *zr_mtl_made(const struct zr_mtl *mtl)
+struct zr_model_scene *zr_mtl_made(const struct zr_mtl *mtl)
 {
     return mtl->made;
 }
@@ -88,7 +88,7 @@ static void index_lines(struct zr_mtl *mtl, struct zr_mtl_text rest)
             if ((last = add_entry(mtl)) == NULL) return;
             last->name = line;
             last->lines = rest;
-            last->number = ZR_FILE_MATERIAL_NONE;
+            last->number = ZR_MODEL_MATERIAL_NONE;
         } else if (!last) {
             zr_mtl_note(mtl, ZR_MTL_NOTE_STRAY, &whole);
         } else if (!mtl->has_maps) {
@@ -178,7 +178,7 @@ static struct zr_mtl_entry *find(struct zr_mtl *mtl, const struct zr_mtl_text *n
 
 static struct zr_parsed_material *add_material(struct zr_mtl *mtl)
 {
-    struct zr_file_scene *made = mtl->made;
+    struct zr_model_scene *made = mtl->made;
     if (made->material_count == mtl->material_room) {
         const uint32_t room = mtl->material_room ? 2 * mtl->material_room : ENTRIES_AT_FIRST;
         struct zr_parsed_material *more =
@@ -209,15 +209,15 @@ uint32_t zr_mtl_use(struct zr_mtl *mtl, const char *name, size_t length)
     const struct zr_mtl_text wanted = {name, name + length, 0};
     if (!mtl->is_sorted) sort(mtl);
     struct zr_mtl_entry *entry = find(mtl, &wanted);
-    if (!entry) return ZR_FILE_MATERIAL_NONE;
-    if (entry->number != ZR_FILE_MATERIAL_NONE || mtl->status != ZR_OK) return entry->number;
+    if (!entry) return ZR_MODEL_MATERIAL_NONE;
+    if (entry->number != ZR_MODEL_MATERIAL_NONE || mtl->status != ZR_OK) return entry->number;
     struct zr_parsed_material *out = add_material(mtl);
-    if (!out) return ZR_FILE_MATERIAL_NONE;
+    if (!out) return ZR_MODEL_MATERIAL_NONE;
     entry->number = mtl->made->material_count - 1;
     *out = (struct zr_parsed_material){.number = entry->number, .face_style = zr_face_style_unset};
     if ((out->name = copy_name(mtl, &entry->name)) == NULL) {
         mtl->status = ZR_NO_MEMORY;
-        return ZR_FILE_MATERIAL_NONE;
+        return ZR_MODEL_MATERIAL_NONE;
     }
     return entry->number;
 }
@@ -244,7 +244,7 @@ static void use_all_files(struct zr_mtl *mtl)
         unused += !mtl->assets.uses[i];
     if (!kept || unused == 0) return;
     for (uint32_t i = 0; i < mtl->count; i++)
-        if (mtl->entries[i].number == ZR_FILE_MATERIAL_NONE) use_files(mtl, &mtl->entries[i]);
+        if (mtl->entries[i].number == ZR_MODEL_MATERIAL_NONE) use_files(mtl, &mtl->entries[i]);
     memcpy(mtl->notes, kept, sizeof mtl->notes);
 }
 

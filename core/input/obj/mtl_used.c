@@ -11,7 +11,7 @@ static const struct zr_mtl_entry **list_used(struct zr_mtl *mtl)
 {
     const struct zr_mtl_entry **used = zr_arena_alloc(mtl->arena, mtl->made->material_count, sizeof *used);
     for (uint32_t i = 0; used && i < mtl->count; i++)
-        if (mtl->entries[i].number != ZR_FILE_MATERIAL_NONE) used[mtl->entries[i].number] = &mtl->entries[i];
+        if (mtl->entries[i].number != ZR_MODEL_MATERIAL_NONE) used[mtl->entries[i].number] = &mtl->entries[i];
     return used;
 }
 

@@ -56,7 +56,7 @@ static enum zr_status count_lines(struct parsing *parsing)
     const size_t size = (size_t)(file->end - file->at);
     char *copy = zr_arena_copy(parsing->builder->arena, file->at, size);
     if (!copy) return ZR_NO_MEMORY;
-    zr_obj_mend_returns(copy, copy + size);
+    zr_obj_replace_returns(copy, copy + size);
     file->at = copy;
     file->end = copy + size;
     status = count(parsing);
@@ -198,7 +198,7 @@ static enum zr_status find_origin(struct parsing *parsing, const struct zr_limit
     struct zr_box box = zr_box_empty();
     for (size_t i = 0; i < file->part_count; i++)
         zr_box_join(&box, &file->parts[i].box);
-    return zr_far_origin(arena, &box, limits, &file->origin, parsing->error);
+    return zr_recenter_origin(arena, &box, limits, &file->origin, parsing->error);
 }
 
 /* Reads again if the coordinates are far from 0 or the range of colours is 0 to 255. */

@@ -4,8 +4,8 @@
 
 #include "core.h"
 #include "input/obj/obj_text.h"
-#include "input/text/far.h"
 #include "input/text/parts.h"
+#include "input/text/recenter.h"
 #include "scene/scene_builder.h"
 
 enum { ZR_OBJ_COUNT_MAX = 1 << 30 };

@@ -242,9 +242,9 @@ static bool name_run(struct naming *naming, size_t begin, size_t end, const stru
     if (naming->face_parts) fill(naming->face_parts, begin, end, find_part(naming, &state->object, &state->group));
     const uint32_t material = state->has_use && file->mtl
                                   ? zr_mtl_use(file->mtl, state->use.at, (size_t)(state->use.end - state->use.at))
-                                  : ZR_FILE_MATERIAL_NONE;
+                                  : ZR_MODEL_MATERIAL_NONE;
     const bool is_sought = file->mtl || file->total.libraries == 0;
-    if (state->has_use && is_sought && material == ZR_FILE_MATERIAL_NONE) note_missing(file, &state->use);
+    if (state->has_use && is_sought && material == ZR_MODEL_MATERIAL_NONE) note_missing(file, &state->use);
     return (!file->mtl || put_material(naming, begin, end, material)) && zr_arena_ok(naming->arena);
 }
 
@@ -328,12 +328,12 @@ static bool put_parts(struct naming *naming, struct zr_mesh *mesh)
 
 static bool put_materials(struct naming *naming, struct zr_scene_builder *builder)
 {
-    struct zr_file_scene *made = zr_mtl_made(naming->file->mtl);
+    struct zr_model_scene *made = zr_mtl_made(naming->file->mtl);
     uint32_t *material = zr_arena_alloc(naming->arena, 1, sizeof *material);
     const uint32_t **faces = zr_arena_alloc(naming->arena, 1, sizeof *faces);
     struct zr_instance *instance = zr_arena_zero(naming->arena, 1, sizeof *instance);
     if (!material || !faces || !instance) return false;
-    *material = naming->face_materials || !naming->has_material ? ZR_FILE_MATERIAL_NONE : naming->material;
+    *material = naming->face_materials || !naming->has_material ? ZR_MODEL_MATERIAL_NONE : naming->material;
     *faces = naming->face_materials;
     instance->object_to_world = zr_mat4_identity();
     made->instances = instance;
@@ -346,7 +346,7 @@ static bool put_materials(struct naming *naming, struct zr_scene_builder *builde
 
 enum zr_status zr_obj_name_faces(struct zr_obj_file *file, struct zr_scene_builder *builder, struct zr_mesh *mesh)
 {
-    struct naming naming = {.file = file, .arena = builder->arena, .material = ZR_FILE_MATERIAL_NONE};
+    struct naming naming = {.file = file, .arena = builder->arena, .material = ZR_MODEL_MATERIAL_NONE};
     const enum zr_status status = name_all(&naming);
     if (status != ZR_OK) return status;
     if (naming.face_parts && !put_parts(&naming, mesh)) return ZR_NO_MEMORY;

@@ -121,7 +121,7 @@ static void set_position(struct reader *reader, const double *v)
 {
     const struct zr_obj_file *file = reader->file;
     const size_t index = reader->count.positions;
-    file->positions[index] = zr_far_position(v, file->origin);
+    file->positions[index] = zr_recenter_position(v, file->origin);
     if (file->used && file->used[index]) zr_box_include(&reader->box, v);
 }
 
@@ -129,7 +129,7 @@ static void set_position(struct reader *reader, const double *v)
 static bool read_vertex(struct reader *reader, struct zr_obj_statement *statement)
 {
     const struct zr_limits *limits = reader->file->limits;
-    const double near = (double)limits->coordinate_max, far = zr_far_limit(limits);
+    const double near = (double)limits->coordinate_max, far = zr_recenter_limit(limits);
     const struct zr_obj_statement words = *statement;
     double v[VERTEX_NUMBERS_MAX];
     int count;

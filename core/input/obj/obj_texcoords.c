@@ -26,7 +26,7 @@ struct placing {
 static bool is_textured(const struct placing *placing, uint32_t face)
 {
     const uint32_t material = placing->materials ? placing->materials[face] : placing->material;
-    if (material == ZR_FILE_MATERIAL_NONE) return false;
+    if (material == ZR_MODEL_MATERIAL_NONE) return false;
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         if (placing->all[material].textures[slot].number > 0) return true;
     return false;

@@ -180,7 +180,7 @@ size_t zr_obj_count_returns(const char *at, const char *behind, const char *end)
     return count;
 }
 
-void zr_obj_mend_returns(char *at, const char *end)
+void zr_obj_replace_returns(char *at, const char *end)
 {
     const char *run, *next = at;
     while ((run = next_returns(next, end, end, &next)) != NULL)

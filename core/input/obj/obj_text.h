@@ -19,7 +19,7 @@
 size_t zr_obj_count_returns(const char *at, const char *behind, const char *end);
 
 /* Replaces carriage returns that end a line alone by line feeds. */
-void zr_obj_mend_returns(char *at, const char *end);
+void zr_obj_replace_returns(char *at, const char *end);
 
 /* The rest of the text: whole statements. */
 struct zr_obj_text {

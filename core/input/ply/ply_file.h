@@ -9,8 +9,8 @@
 #include <stdatomic.h>
 
 #include "core.h"
-#include "input/text/far.h"
 #include "input/ply/ply_header.h"
+#include "input/text/recenter.h"
 #include "scene/scene_builder.h"
 
 /* Values that are drawn. Three of a group belong together. */
@@ -85,7 +85,7 @@ struct zr_ply_file {
     zr_vec4 *colors, *texcoords;
     zr_vec3 *normals;
     atomic_bool has_holes, has_odd_colors;
-    atomic_bool is_far; /* a coordinate is beyond the limit (far.h) */
+    atomic_bool is_far; /* a coordinate is beyond the limit (recenter.h) */
     struct zr_ply_place vertices_at;
     const struct zr_ply_element *vertices;
     const double *origin; /* subtracted from positions; NULL: none */
@@ -135,7 +135,7 @@ enum zr_status zr_ply_read_records(struct zr_ply_file *file, const struct zr_ply
 /* ASCII: skips white space, and lines of comments if a line begins here. Counts the comments. */
 void zr_ply_skip_comments(struct zr_ply_file *file);
 
-/* ply_far.c: if a coordinate is beyond the limit, subtracts the middle of the drawn positions from all. */
+/* ply_recenter.c: if a coordinate is beyond the limit, subtracts the middle of the drawn positions from all. */
 enum zr_status zr_ply_adjust(struct zr_ply_file *file, struct zr_scene_builder *builder);
 
 /* ply_finish.c: makes the mesh and the warnings. */

@@ -2,9 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "input/text/parts.h"
 #include "input/ply/ply_file.h"
 #include "input/ply/ply_values.h"
+#include "input/text/parts.h"
 
 /* Read in a tenth of a millisecond. */
 #ifndef ZR_PLY_PART_VERTICES /* smaller in tests/unit/formats/test_ply_parts.c */
@@ -42,13 +42,13 @@ static void store_odd(struct zr_ply_file *file, size_t vertex, const double v[3]
         return;
     }
     zr_error_add(error, ZR_BAD_SCENE, NULL, "vertex %zu: (%.9g, %.9g, %.9g) is beyond the limit of %.9g", vertex, v[0],
-                 v[1], v[2], zr_far_limit(file->limits));
+                 v[1], v[2], zr_recenter_limit(file->limits));
 }
 
 static void store_positions(struct zr_ply_file *file, const struct zr_ply_columns *columns, size_t first, size_t count,
                             size_t faults, struct zr_error *error)
 {
-    const double near = (double)file->limits->coordinate_max, limit = zr_far_limit(file->limits);
+    const double near = (double)file->limits->coordinate_max, limit = zr_recenter_limit(file->limits);
     bool is_far = false;
     for (size_t i = 0; i < count && error->count < faults; i++) {
         const double v[3] = {columns->values[ZR_PLY_X][i], columns->values[ZR_PLY_Y][i], columns->values[ZR_PLY_Z][i]};
@@ -58,7 +58,7 @@ static void store_positions(struct zr_ply_file *file, const struct zr_ply_column
         }
         is_far |= !(is_within(v[0], near) && is_within(v[1], near) && is_within(v[2], near));
         if (file->finds_box && (!file->used || file->used[first + i])) zr_box_include(&file->box, v);
-        file->positions[first + i] = zr_far_position(v, file->origin);
+        file->positions[first + i] = zr_recenter_position(v, file->origin);
     }
     if (is_far) atomic_store_explicit(&file->is_far, true, memory_order_relaxed);
 }

@@ -13,7 +13,7 @@
 static void place(struct zr_query *query)
 {
     struct zr_scene_builder *builder = query->given.builder;
-    const struct zr_file_scene *file = builder->file;
+    const struct zr_model_scene *file = builder->file;
     const uint32_t count = file ? file->instance_count : builder->scene->mesh_count;
     query->instances = zr_arena_alloc(builder->arena, count, sizeof *query->instances);
     for (uint32_t i = 0; query->instances && i < count; i++)
@@ -58,7 +58,7 @@ static void use_projection(const struct zr_query *query)
 /* Uses a camera of the file, if the query names one. */
 static void use_camera(struct zr_query *query)
 {
-    const struct zr_file_scene *file = query->given.builder->file;
+    const struct zr_model_scene *file = query->given.builder->file;
     const zr_mat4 up = file ? zr_mesh_up_turn(zr_query_up(query)) : zr_mat4_identity();
     const struct zr_request *request = query->request;
     const struct zr_json_path *path = ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "camera");
@@ -67,14 +67,14 @@ static void use_camera(struct zr_query *query)
         zr_json_fault(&query->given.json, path,
                       "cannot be combined with preset, azimuth, elevation, projection or padding");
     else
-        zr_file_scene_use_camera(&query->given, path, file, query->camera, &up);
+        zr_model_scene_use_camera(&query->given, path, file, query->camera, &up);
 }
 
 /* Uses the lights of the file, if the query asks for it. */
 static void use_lights(struct zr_query *query)
 {
     struct zr_parsed_scene *root = &query->given;
-    const struct zr_file_scene *file = root->builder->file;
+    const struct zr_model_scene *file = root->builder->file;
     const zr_mat4 up = file ? zr_mesh_up_turn(zr_query_up(query)) : zr_mat4_identity();
     if (!query->has_file_lights) {
         if (file && file->light_count > 0)
@@ -85,7 +85,7 @@ static void use_lights(struct zr_query *query)
         zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "fileLights"),
                       "cannot be combined with lights of the query");
     } else {
-        zr_file_scene_use_lights(root, file, &up);
+        zr_model_scene_use_lights(root, file, &up);
     }
 }
 
@@ -93,11 +93,11 @@ static void use_lights(struct zr_query *query)
 static void check_animation(struct zr_query *query)
 {
     struct zr_parsed_scene *root = &query->given;
-    const struct zr_file_scene *file = root->builder->file;
+    const struct zr_model_scene *file = root->builder->file;
     uint32_t number;
-    if (query->animation && !(file && zr_file_scene_find_animation(file, query->animation, &number)))
-        zr_file_scene_refuse_animation(root, ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "animation"), file,
-                                       query->animation);
+    if (query->animation && !(file && zr_model_scene_find_animation(file, query->animation, &number)))
+        zr_model_scene_refuse_animation(root, ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "animation"), file,
+                                        query->animation);
     if (query->request->time && !query->animation && !(file && file->animation_count > 0))
         zr_warning_list_add(root->json.arena, &root->builder->warnings,
                             "the parameter time has no effect: the file has no animations");
@@ -109,7 +109,7 @@ static void add_frames(struct zr_query *query)
     struct zr_parsed_scene *root = &query->given;
     struct zr_json *json = &root->json;
     const struct zr_request *request = query->request;
-    const struct zr_file_scene *file = root->builder->file;
+    const struct zr_model_scene *file = root->builder->file;
     const struct zr_json_path *of_query = ZR_JSON_KEY(NULL, "query"), *path = ZR_JSON_KEY(of_query, "frames"),
                               *end = ZR_JSON_KEY(of_query, "timeEnd");
     struct zr_view_set *set;
@@ -122,7 +122,7 @@ static void add_frames(struct zr_query *query)
         zr_json_fault(json, path, "the file has no animations");
         return;
     }
-    if (!zr_file_scene_find_animation(file, query->animation, &number)) return; /* reported by check_animation */
+    if (!zr_model_scene_find_animation(file, query->animation, &number)) return; /* reported by check_animation */
     const double until = request->timeEnd ? query->time_end : file->animation_end, length = until - query->time;
     if (!(length > 0.0)) {
         zr_json_fault(json, request->timeEnd ? end : path, "an animation without duration: from %.9g to %.9g seconds",
@@ -180,7 +180,7 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
     check_views(query);
     const bool has_ink = zr_cloud_take_edges(root);
     if (has_materials(root)) {
-        zr_file_scene_make_materials(root, root->builder->file);
+        zr_model_scene_make_materials(root, root->builder->file);
     } else {
         make_materials(root);
         if (has_ink) zr_cloud_draw_in_ink(query);

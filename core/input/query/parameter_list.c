@@ -4,8 +4,8 @@
 #include "render_request.h"
 
 const struct zr_parameter_row zr_parameter_list[] = {
-#define PARAMETER(name, pointer, whose, kind, help)                                                                    \
-    {#name, pointer, ZR_PARAMETER_OF_##whose, ZR_PARAMETER_##kind, offsetof(struct zr_request, name)},
+#define PARAMETER(name, pointer, scope, kind, help)                                                                    \
+    {#name, pointer, ZR_PARAMETER_OF_##scope, ZR_PARAMETER_##kind, offsetof(struct zr_request, name)},
     ZR_PARAMETER_ROWS(PARAMETER)
 #undef PARAMETER
 };

@@ -8,11 +8,11 @@
 #include "input/query/parameter_values.h"
 
 /* Bodies that a parameter applies to. */
-enum zr_parameter_whose { ZR_PARAMETER_OF_ANY, ZR_PARAMETER_OF_MESH };
+enum zr_parameter_scope { ZR_PARAMETER_OF_ANY, ZR_PARAMETER_OF_MESH };
 
 struct zr_parameter_row {
     const char *name, *pointer;
-    enum zr_parameter_whose whose;
+    enum zr_parameter_scope scope;
     enum zr_parameter_kind kind;
     size_t offset; /* of its text, a const char * in struct zr_request */
 };

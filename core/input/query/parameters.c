@@ -2,17 +2,17 @@
 
 #include <string.h>
 
-#include "input/query/channel_list.h"
 #include "input/formats/formats.h"
-#include "input/scene/json_objects.h"
 #include "input/json/json_writer.h"
-#include "input/scene/kept.h"
+#include "input/query/channel_list.h"
 #include "input/query/parameter_list.h"
-#include "input/text/parameter_names.h"
 #include "input/query/parameter_values.h"
+#include "input/scene/json_objects.h"
+#include "input/scene/kept.h"
+#include "input/text/parameter_names.h"
 #include "render_request.h"
-#include "scene/defaults.h"
 #include "scene/camera/mesh_up.h"
+#include "scene/defaults.h"
 
 /* ---- the tables ---- */
 
@@ -179,8 +179,8 @@ static void read_changed_keys(const struct reading *r, const struct zr_keeping *
 
 /* Writes the rows of one object, at most 64, or of the output `number`. A wrong value becomes null; the
  * other keys are still checked. Returns the rows with wrong values, one bit each. */
-static uint64_t put_rows(const struct reading *r, const struct zr_parameter_row *row,
-                         const struct zr_parameter_row *end, size_t number, struct zr_json_writer *json)
+static uint64_t write_object(const struct reading *r, const struct zr_parameter_row *row,
+                             const struct zr_parameter_row *end, size_t number, struct zr_json_writer *json)
 {
     const bool has_view = zr_format_rows[r->request->format].has_view;
     struct zr_arena *arena = r->query->given.json.arena;
@@ -188,7 +188,7 @@ static uint64_t put_rows(const struct reading *r, const struct zr_parameter_row 
     for (const struct zr_parameter_row *at = row; at < end; at++) {
         const char *text = zr_channel_list_text(r->request, arena, number, at->name, zr_parameter_text(r->request, at));
         if (!text) continue;
-        if (at->whose == ZR_PARAMETER_OF_MESH && has_view) {
+        if (at->scope == ZR_PARAMETER_OF_MESH && has_view) {
             zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
                          "parameter %s belongs to bodies that are a bare mesh; a scene has keys of its own for it",
                          at->name);
@@ -228,7 +228,7 @@ static void read_rows(const struct reading *r, const struct zr_parameter_row *ro
     struct zr_json_writer json = {.text = zr_arena_alloc(r->query->given.json.arena, count * room, 1), .pointer = ""};
     uint64_t reported = 0;
     for (size_t number = 0; json.text && number < count; number++)
-        reported |= put_rows(r, row, end, number, &json);
+        reported |= write_object(r, row, end, number, &json);
     if (json.used == 0) return;
     zr_json_go_to(&json, "");
     read_text(r, &json, row, reported);

@@ -2,11 +2,11 @@
 
 #include <string.h>
 
-#include "input/text/color_text.h"
 #include "input/json/json_writer.h"
 #include "input/query/parameter_list.h"
 #include "input/query/parameter_values.h"
 #include "input/query/parameters.h"
+#include "input/text/color_text.h"
 #include "scene/defaults.h"
 #include "scene/looks.h"
 
@@ -88,7 +88,7 @@ void zr_query_plain(const struct zr_request *request, const struct zr_limits *li
         put_value(row, text, limits, &ignored, &json);
         const bool is_left_out = is_default(row, json.text + value);
         if (is_left_out) json.used = begin;
-        if (row->whose == ZR_PARAMETER_OF_MESH) *(is_left_out ? &has_mesh_default : &is_of_mesh) = true;
+        if (row->scope == ZR_PARAMETER_OF_MESH) *(is_left_out ? &has_mesh_default : &is_of_mesh) = true;
     }
     /* A scene refuses parameters of meshes, those at their defaults too. */
     if (has_mesh_default && !is_of_mesh) zr_json_put(&json, json.used > 1 ? ",\"mesh\":true" : "\"mesh\":true");

@@ -28,13 +28,13 @@ static bool lights_surfaces(const struct zr_look *look)
     return look->shades_by_mesh || look->material.shading == ZR_SHADING_PBR;
 }
 
-void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material)
+void zr_model_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material)
 {
     if (!lights_surfaces(root->scene->look)) material->face_style.shading = ZR_UNSET;
 }
 
 /* Makes one material of a mesh. `style` has the keys that override the material, and the mesh's number for warnings. */
-static uint32_t make(struct zr_parsed_scene *root, const struct zr_file_scene *file, const struct zr_mesh *mesh,
+static uint32_t make(struct zr_parsed_scene *root, const struct zr_model_scene *file, const struct zr_mesh *mesh,
                      size_t material, const struct zr_style *style)
 {
     const struct zr_style of = {
@@ -54,7 +54,7 @@ static void note_uses(struct zr_parsed_material *query, const struct zr_parsed_m
 }
 
 /* Makes the materials of a mesh with a material per face: each once, in the order of the faces. */
-static void make_faces(struct zr_parsed_scene *root, const struct zr_file_scene *file, const uint32_t *materials,
+static void make_faces(struct zr_parsed_scene *root, const struct zr_model_scene *file, const uint32_t *materials,
                        const struct zr_style *style, struct zr_mesh *mesh)
 {
     const size_t count = (size_t)file->material_count + 1;
@@ -63,23 +63,23 @@ static void make_faces(struct zr_parsed_scene *root, const struct zr_file_scene 
     if (!made || !out) return;
     memset(made, 0xFF, count * sizeof *made);
     for (uint32_t face = 0; face < mesh->face_count && zr_arena_ok(root->json.arena); face++) {
-        const uint32_t of = materials[face] == ZR_FILE_MATERIAL_NONE ? file->material_count : materials[face];
+        const uint32_t of = materials[face] == ZR_MODEL_MATERIAL_NONE ? file->material_count : materials[face];
         if (made[of] == UINT32_MAX) made[of] = make(root, file, mesh, of, style);
         out[face] = made[of];
     }
     mesh->face_materials = out;
 }
 
-void zr_file_scene_make_mesh(struct zr_parsed_scene *root, const struct zr_file_scene *file, uint32_t which,
-                             const struct zr_style *style, struct zr_mesh *mesh)
+void zr_model_scene_make_mesh(struct zr_parsed_scene *root, const struct zr_model_scene *file, uint32_t which,
+                              const struct zr_style *style, struct zr_mesh *mesh)
 {
     const uint32_t of = file->mesh_materials[which];
-    mesh->material = make(root, file, mesh, of == ZR_FILE_MATERIAL_NONE ? file->material_count : of, style);
+    mesh->material = make(root, file, mesh, of == ZR_MODEL_MATERIAL_NONE ? file->material_count : of, style);
     if (file->face_materials && file->face_materials[which])
         make_faces(root, file, file->face_materials[which], style, mesh);
 }
 
-void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file)
+void zr_model_scene_make_materials(struct zr_parsed_scene *root, const struct zr_model_scene *file)
 {
     struct zr_scene *scene = root->scene;
     struct zr_parsed_material *const own = root->materials;
@@ -90,14 +90,14 @@ void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_
     if (own_count > 0) over = zr_face_style_merge(&own->face_style, &root->face_style);
     for (uint32_t i = 0; i < file->material_count; i++) {
         all[i] = put_query(&file->materials[i], own_count > 0 ? own : NULL);
-        zr_file_scene_fit_look(root, &all[i]);
+        zr_model_scene_fit_look(root, &all[i]);
     }
     if (own_count > 0) all[file->material_count] = *own;
     root->materials = all;
     root->material_count = file->material_count + own_count;
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         const struct zr_style style = {.face_style = over, .number = i};
-        zr_file_scene_make_mesh(root, file, i, &style, &root->builder->meshes[i]);
+        zr_model_scene_make_mesh(root, file, i, &style, &root->builder->meshes[i]);
     }
     if (own_count > 0) note_uses(own, all, file->material_count + 1);
     root->materials = own;
@@ -139,7 +139,7 @@ static bool set_pose_by_matrix(struct zr_view *view, const zr_mat4 *camera_to_wo
 }
 
 /* Views with a projection of their own replace those by a matrix. Others keep the pixels of earlier versions. */
-static bool set_pose(struct zr_view *view, const struct zr_file_camera *camera, const zr_mat4 *up, bool is_matrix)
+static bool set_pose(struct zr_view *view, const struct zr_model_camera *camera, const zr_mat4 *up, bool is_matrix)
 {
     const zr_mat4 turned = zr_mat4_mul(up, &camera->camera_to_world), pose = unscale(&turned);
     const struct zr_matrix matrix = zr_matrix_of(&pose);
@@ -152,7 +152,7 @@ static bool set_pose(struct zr_view *view, const struct zr_file_camera *camera, 
     return true;
 }
 
-static void set_projection(struct zr_view *view, const struct zr_file_camera *camera)
+static void set_projection(struct zr_view *view, const struct zr_model_camera *camera)
 {
     view->projection = camera->is_perspective ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
     view->yfov_radians = camera->yfov_radians;
@@ -162,7 +162,7 @@ static void set_projection(struct zr_view *view, const struct zr_file_camera *ca
 }
 
 /* Keeps the planes that the view gives. */
-static void set_planes(const struct zr_parsed_scene *root, struct zr_view *view, const struct zr_file_camera *camera)
+static void set_planes(const struct zr_parsed_scene *root, struct zr_view *view, const struct zr_model_camera *camera)
 {
     if (!root->gives_znear) {
         view->has_znear = true;
@@ -174,16 +174,16 @@ static void set_planes(const struct zr_parsed_scene *root, struct zr_view *view,
     }
 }
 
-bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                              const struct zr_file_scene *file, const char *camera, const zr_mat4 *up)
+bool zr_model_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                               const struct zr_model_scene *file, const char *camera, const zr_mat4 *up)
 {
     struct zr_view *view = &root->scene->views[0];
-    const struct zr_file_camera *found = file ? zr_file_scene_find_camera(file, camera) : NULL;
+    const struct zr_model_camera *found = file ? zr_model_scene_find_camera(file, camera) : NULL;
     const struct zr_quote quote = zr_quote(camera, strlen(camera));
     if (!file || file->camera_count == 0) return zr_json_fault(&root->json, path, "the file has no cameras");
     if (!found)
         return zr_json_fault(&root->json, path, "the file has no camera %s; its cameras: %s", quote.text,
-                             zr_file_scene_cameras(file).text);
+                             zr_model_scene_cameras(file).text);
     if (!set_pose(view, found, up, root->gives_projection))
         return zr_json_fault(&root->json, path, "the camera %s has no axes", quote.text);
     if (!root->gives_projection) set_projection(view, found);
@@ -202,7 +202,7 @@ static zr_vec3 transform(const zr_mat4 *matrix, zr_vec3 v)
                      (m[2] * v.x + m[6] * v.y) + m[10] * v.z};
 }
 
-void zr_file_scene_use_lights(struct zr_parsed_scene *root, const struct zr_file_scene *file, const zr_mat4 *up)
+void zr_model_scene_use_lights(struct zr_parsed_scene *root, const struct zr_model_scene *file, const zr_mat4 *up)
 {
     const uint32_t count = file ? file->light_count : 0;
     struct zr_light *lights = zr_arena_alloc(root->json.arena, count, sizeof *lights);
@@ -226,12 +226,12 @@ void zr_file_scene_use_lights(struct zr_parsed_scene *root, const struct zr_file
 
 /* ---- animations ---- */
 
-void zr_file_scene_refuse_animation(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                                    const struct zr_file_scene *file, const char *wanted)
+void zr_model_scene_refuse_animation(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                     const struct zr_model_scene *file, const char *wanted)
 {
     if (!file || file->animation_count == 0)
         zr_json_fault(&root->json, path, "the file has no animations");
     else
         zr_json_fault(&root->json, path, "the file has no animation %s; its animations: %s",
-                      zr_quote(wanted, strlen(wanted)).text, zr_file_scene_animations(file).text);
+                      zr_quote(wanted, strlen(wanted)).text, zr_model_scene_animations(file).text);
 }

@@ -6,29 +6,29 @@
 #include "input/scene/json_scene.h"
 
 /* Makes the materials of the builder's meshes from those of the file. The keys of the query override them. */
-void zr_file_scene_make_materials(struct zr_parsed_scene *root, const struct zr_file_scene *file);
+void zr_model_scene_make_materials(struct zr_parsed_scene *root, const struct zr_model_scene *file);
 
 /* Makes the materials of mesh `which` of the file. root->materials begins with the file's materials; the next one is
  * for faces without a material. The keys of the style override the materials. */
-void zr_file_scene_make_mesh(struct zr_parsed_scene *root, const struct zr_file_scene *file, uint32_t which,
-                             const struct zr_style *style, struct zr_mesh *mesh);
+void zr_model_scene_make_mesh(struct zr_parsed_scene *root, const struct zr_model_scene *file, uint32_t which,
+                              const struct zr_style *style, struct zr_mesh *mesh);
 
 /* Removes the shading of a file's material if the scene's look does not light surfaces. */
-void zr_file_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material);
+void zr_model_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material);
 
 /* Sets the view's pose, projection and planes to those of the file's camera of this name or number, except the keys in
  * root->gives_projection, gives_znear and gives_zfar. `up` turns the file's space to world space. False, and a fault at `path`, if there is no such
  * camera, or its planes and those of the view are in the wrong order. `file` may be NULL. */
-bool zr_file_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                              const struct zr_file_scene *file, const char *camera, const zr_mat4 *up);
+bool zr_model_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                               const struct zr_model_scene *file, const char *camera, const zr_mat4 *up);
 
 /* Replaces the scene's lights by the file's lights, as the key `lights` does.
  * Warns if the file has none. `up`: as above. */
-void zr_file_scene_use_lights(struct zr_parsed_scene *root, const struct zr_file_scene *file, const zr_mat4 *up);
+void zr_model_scene_use_lights(struct zr_parsed_scene *root, const struct zr_model_scene *file, const zr_mat4 *up);
 
 /* Reports at `path` that the file has no such animation. `file` may be NULL. */
-void zr_file_scene_refuse_animation(struct zr_parsed_scene *root, const struct zr_json_path *path,
-                                    const struct zr_file_scene *file, const char *wanted);
+void zr_model_scene_refuse_animation(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                     const struct zr_model_scene *file, const char *wanted);
 
 /* Removes the maps that need linear light if the picture is made without it. */
 void zr_parsed_drop_maps(struct zr_parsed_scene *root);

@@ -7,10 +7,10 @@
 #include <string.h>
 
 #include "base/team.h"
-#include "input/text/far.h"
-#include "input/text/parts.h"
 #include "input/stl/stl_color.h"
 #include "input/stl/stl_text.h"
+#include "input/text/parts.h"
+#include "input/text/recenter.h"
 #include "input/text/text.h"
 #include "render_request.h"
 
@@ -65,7 +65,7 @@ static uint16_t attribute_of(const struct binary *binary, size_t triangle)
 static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, size_t faults, struct zr_error *error)
 {
     unsigned any = 0;
-    const float near = binary->limits->coordinate_max, limit = (float)zr_far_limit(binary->limits);
+    const float near = binary->limits->coordinate_max, limit = (float)zr_recenter_limit(binary->limits);
     const char *triangle = binary->triangles + begin * TRIANGLE_BYTES;
     for (size_t i = begin; i < end && error->count < faults; i++, triangle += TRIANGLE_BYTES) {
         any |= read_u16(triangle + ATTRIBUTES_AT);
@@ -154,8 +154,8 @@ static enum zr_status read_binary(struct zr_scene_builder *builder, const struct
     }
     enum zr_status status = read_colors(builder, &binary, request->bytes, request->cancel, parts);
     if (status == ZR_OK && binary.is_far)
-        status = zr_far_shift(builder->arena, request->cancel, limits, binary.positions, count * 3,
-                              &builder->scene->origin, error);
+        status = zr_recenter_shift(builder->arena, request->cancel, limits, binary.positions, count * 3,
+                                   &builder->scene->origin, error);
     *out = (struct zr_stl){3 * count, count, binary.positions, NULL, binary.face_colors};
     return status;
 }

@@ -1,5 +1,5 @@
-#include "input/text/number.h"
 #include "input/stl/stl_words.h"
+#include "input/text/number.h"
 #include "input/text/text.h"
 
 bool zr_stl_fault(struct zr_stl_reader *reader, struct zr_stl_word found, const char *quotes, const char *expected)
@@ -17,7 +17,7 @@ static inline bool expect(struct zr_stl_reader *reader, const char *wanted)
 
 static inline bool read_vertex(struct zr_stl_reader *reader, zr_vec4 *out)
 {
-    const double near = (double)reader->limits->coordinate_max, limit = zr_far_limit(reader->limits);
+    const double near = (double)reader->limits->coordinate_max, limit = zr_recenter_limit(reader->limits);
     double v[3];
     for (int axis = 0; axis < 3; axis++) {
         zr_stl_skip_spaces(reader);
@@ -33,7 +33,7 @@ static inline bool read_vertex(struct zr_stl_reader *reader, zr_vec4 *out)
                          limit);
     }
     if (reader->finds_box) zr_box_include(&reader->box, v);
-    *out = zr_far_position(v, reader->origin);
+    *out = zr_recenter_position(v, reader->origin);
     return true;
 }
 

@@ -1,8 +1,8 @@
 #include "input/stl/stl_text.h"
 
+#include "input/stl/stl_words.h"
 #include "input/text/chunk.h"
 #include "input/text/parts.h"
-#include "input/stl/stl_words.h"
 #include "input/text/text.h"
 #include "render_request.h"
 
@@ -216,7 +216,7 @@ static enum zr_status adjust(struct file *file, struct zr_scene_builder *builder
     for (size_t i = 0; i < failed; i++)
         zr_box_join(&box, &file->parts[i].box);
     file->finds_box = false;
-    if (status == ZR_OK) status = zr_far_origin(builder->arena, &box, file->limits, &file->origin, error);
+    if (status == ZR_OK) status = zr_recenter_origin(builder->arena, &box, file->limits, &file->origin, error);
     if (status == ZR_OK) status = read_all(file, builder, out, &failed, error);
     builder->scene->origin = file->origin;
     return status;

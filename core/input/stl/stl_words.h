@@ -9,9 +9,9 @@
 #include <string.h>
 
 #include "core.h"
-#include "input/text/chunk.h"
-#include "input/text/far.h"
 #include "input/stl/stl_notes.h"
+#include "input/text/chunk.h"
+#include "input/text/recenter.h"
 #include "scene/scene.h"
 
 /* State of one thread that reads a part, or the rest of the file. */
@@ -30,7 +30,7 @@ struct zr_stl_reader {
     size_t vertices;            /* read here: three per facet if notes is NULL */
     zr_vec4 *positions;         /* of the vertices read here */
     const double *origin;       /* subtracted from positions; NULL: none */
-    bool is_far;                /* a coordinate is beyond the limit (far.h) */
+    bool is_far;                /* a coordinate is beyond the limit (recenter.h) */
     bool finds_box;             /* bounds are computed, too */
     struct zr_box box;          /* if finds_box: bounds of the vertices read here */
     size_t vertices_before;     /* before this text */

@@ -10,7 +10,7 @@
 static const struct {
     const char *name, *pointer, *help;
 } rows[] = {
-#define PARAMETER(name, pointer, whose, kind, help) {#name, pointer, help},
+#define PARAMETER(name, pointer, scope, kind, help) {#name, pointer, help},
     ZR_PARAMETER_ROWS(PARAMETER)
 #undef PARAMETER
 };

@@ -130,7 +130,7 @@ static void report(struct build *build, const struct zr_placement *placement, ui
 
 /* Moves the placed meshes to the builder, in the order of the file. */
 static bool keep_placed(struct zr_threemf *file, struct zr_scene_builder *builder, const struct zr_request *request,
-                        struct zr_file_scene *scene)
+                        struct zr_model_scene *scene)
 {
     const struct zr_mesh *all = file->meshes.items;
     uint32_t *numbers = zr_arena_zero(file->arena, file->meshes.count, sizeof *numbers), kept = 0;
@@ -194,11 +194,11 @@ static enum zr_status place_far(const struct build *build, struct zr_scene_build
                                 uint64_t allowed, struct zr_placement *placement)
 {
     const struct zr_threemf *file = build->file;
-    struct zr_far_scene scene = {.count = placement->count,
-                                 .instances = placement->instances,
-                                 .meshes = file->meshes.items,
-                                 .moves = file->moves.items};
-    if (!zr_far_instances_needed(&scene, file->limits)) return ZR_OK;
+    struct zr_recenter_scene scene = {.count = placement->count,
+                                      .instances = placement->instances,
+                                      .meshes = file->meshes.items,
+                                      .moves = file->moves.items};
+    if (!zr_recenter_instances_needed(&scene, file->limits)) return ZR_OK;
     nodes->exact = find_exact(build);
     if (!nodes->exact) return ZR_NO_MEMORY;
     *placement = zr_nodes_place(file->arena, nodes, file->limits->instances_max, allowed);
@@ -206,7 +206,7 @@ static enum zr_status place_far(const struct build *build, struct zr_scene_build
     if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
     scene.instances = placement->instances;
     scene.exact = placement->exact;
-    return zr_far_instances(file->arena, file->cancel, file->limits, &scene, &builder->scene->origin, file->error);
+    return zr_recenter_instances(file->arena, file->cancel, file->limits, &scene, &builder->scene->origin, file->error);
 }
 
 enum zr_status zr_threemf_place(struct zr_threemf *file, struct zr_scene_builder *builder,
@@ -219,7 +219,7 @@ enum zr_status zr_threemf_place(struct zr_threemf *file, struct zr_scene_builder
     if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
     if (file->error->count > 0) return file->error->status;
     struct zr_nodes nodes = join(&build);
-    struct zr_file_scene *scene = zr_arena_zero(file->arena, 1, sizeof *scene);
+    struct zr_model_scene *scene = zr_arena_zero(file->arena, 1, sizeof *scene);
     if (!scene || !nodes.children) return ZR_NO_MEMORY;
     const uint64_t most = (uint64_t)ZR_NODES_VISITS_AN_INSTANCE * file->limits->instances_max + nodes.count;
     const uint64_t allowed = quick && quick->node_visits_max < most ? quick->node_visits_max : most;

@@ -8,8 +8,8 @@
 #ifndef ZR_THREEMF_FILE_H
 #define ZR_THREEMF_FILE_H
 
-#include "input/model/far_scene.h"
 #include "input/model/model_scene.h"
+#include "input/model/recenter_scene.h"
 #include "input/text/xml.h"
 #include "input/zip/zip_read.h"
 
@@ -175,7 +175,7 @@ struct zr_threemf {
     struct zr_threemf_list items;     /* struct zr_threemf_link: the build items */
     struct zr_threemf_list meshes;    /* struct zr_mesh */
     struct zr_threemf_list textures;  /* uint32_t *: one per mesh: the texture of each face, or NULL */
-    struct zr_threemf_list moves;     /* const struct zr_far_move *: one per mesh, or NULL */
+    struct zr_threemf_list moves;     /* const struct zr_recenter_move *: one per mesh, or NULL */
     struct zr_threemf_list settings;  /* struct zr_threemf_setting, sorted */
     uint32_t filament_count, filaments[ZR_THREEMF_FILAMENTS_MAX]; /* 0xAABBGGRR */
     struct zr_threemf_list extruders; /* uint8_t *: one per mesh: the extruder of each face, or NULL */
@@ -320,7 +320,7 @@ void zr_threemf_color_by_extruders(struct zr_threemf *file, struct zr_mesh *mesh
 /* threemf_material.c: makes the materials of `count` meshes. textures[i]: the texture of each face of mesh i, or NULL.
  * Materials replace the textures in this list. Without textures, leaves the scene without materials. */
 bool zr_threemf_make_materials(struct zr_threemf *file, struct zr_scene_builder *builder,
-                               const struct zr_request *request, struct zr_file_scene *scene, uint32_t count,
+                               const struct zr_request *request, struct zr_model_scene *scene, uint32_t count,
                                uint32_t **textures);
 
 /* threemf_mesh.c: reads the mesh of an object, and its entry of `moves`; `object`: its id. `pid`, `pindex`: its default

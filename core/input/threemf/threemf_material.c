@@ -100,7 +100,7 @@ static void list_images(struct making *making, const uint32_t *textures, uint32_
 static bool number_faces(struct making *making, uint32_t *textures, uint32_t faces, uint32_t *first)
 {
     bool is_one = true;
-    *first = ZR_FILE_MATERIAL_NONE;
+    *first = ZR_MODEL_MATERIAL_NONE;
     for (uint32_t i = 0; i < faces; i++) {
         if (i % FACES_AT_ONCE == 0 && zr_is_cancelled(making->file->cancel)) return false;
         if (textures[i] != ZR_THREEMF_NONE) {
@@ -115,7 +115,7 @@ static bool number_faces(struct making *making, uint32_t *textures, uint32_t fac
 }
 
 bool zr_threemf_make_materials(struct zr_threemf *file, struct zr_scene_builder *builder,
-                               const struct zr_request *request, struct zr_file_scene *scene, uint32_t count,
+                               const struct zr_request *request, struct zr_model_scene *scene, uint32_t count,
                                uint32_t **textures)
 {
     struct making making = {.file = file};
@@ -130,7 +130,7 @@ bool zr_threemf_make_materials(struct zr_threemf *file, struct zr_scene_builder 
         if (textures[i]) list_images(&making, textures[i], builder->meshes[i].face_count);
     zr_image_list_decode(&making.images);
     for (uint32_t i = 0; i < count; i++) {
-        of_meshes[i] = ZR_FILE_MATERIAL_NONE;
+        of_meshes[i] = ZR_MODEL_MATERIAL_NONE;
         if (textures[i] && number_faces(&making, textures[i], builder->meshes[i].face_count, &of_meshes[i]))
             textures[i] = NULL;
     }

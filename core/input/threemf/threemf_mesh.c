@@ -11,12 +11,12 @@ struct mesh {
     zr_vec4 *positions;
     uint32_t *corners;
     struct zr_threemf_corners properties;
-    bool is_far;          /* a coordinate is beyond the limit (far.h) */
+    bool is_far;          /* a coordinate is beyond the limit (recenter.h) */
     struct zr_xml *again; /* if is_far: state at the begin of the vertices */
     bool finds_box;       /* vertices are read to find the bounds of used ones */
     const uint8_t *used;  /* one per vertex */
     const double *origin; /* subtracted from positions; NULL: none */
-    struct zr_far_move *move;
+    struct zr_recenter_move *move;
     uint32_t pid, pindex; /* of the object */
 };
 
@@ -78,7 +78,7 @@ static void read_vertex(struct mesh *mesh)
 {
     struct zr_threemf *file = mesh->file;
     const struct zr_xml_tag *tag = &file->tag;
-    const double near = (double)file->limits->coordinate_max, limit = zr_far_limit(file->limits);
+    const double near = (double)file->limits->coordinate_max, limit = zr_recenter_limit(file->limits);
     double v[3] = {0};
     unsigned given = 0;
     for (size_t i = 0; i < tag->count; i++) {
@@ -97,7 +97,7 @@ static void read_vertex(struct mesh *mesh)
     if (given != 7)
         zr_threemf_fault(file, tag->at, "vertex %u: %c is missing", mesh->vertex_count, "xyz"[__builtin_ctz(~given)]);
     if (mesh->finds_box && mesh->used[mesh->vertex_count]) zr_box_include(&mesh->move->box, v);
-    if (has_vertex_room(mesh)) mesh->positions[mesh->vertex_count++] = zr_far_position(v, mesh->origin);
+    if (has_vertex_room(mesh)) mesh->positions[mesh->vertex_count++] = zr_recenter_position(v, mesh->origin);
 }
 
 static void read_vertices(struct mesh *mesh)
@@ -154,7 +154,7 @@ static void move_to_middle(struct mesh *mesh)
     read_again(mesh);
     mesh->finds_box = false;
     if (!zr_threemf_stops(file) &&
-        zr_far_origin(file->arena, &mesh->move->box, file->limits, &mesh->origin, file->error) == ZR_OK)
+        zr_recenter_origin(file->arena, &mesh->move->box, file->limits, &mesh->origin, file->error) == ZR_OK)
         read_again(mesh);
     mesh->move->by = mesh->origin;
     if (!mesh->origin) mesh->move = NULL; /* only unused vertices are far */
@@ -262,7 +262,7 @@ uint32_t zr_threemf_read_mesh(struct zr_threemf *file, uint32_t object, uint32_t
     }
     if (mesh.again && !zr_threemf_stops(file)) move_to_middle(&mesh);
     struct zr_mesh *out = zr_threemf_list_add(file->arena, &file->meshes, sizeof *out);
-    const struct zr_far_move **move = zr_threemf_list_add(file->arena, &file->moves, sizeof *move);
+    const struct zr_recenter_move **move = zr_threemf_list_add(file->arena, &file->moves, sizeof *move);
     if (!out || !move) return ZR_THREEMF_NONE;
     *move = mesh.move;
     *out = (struct zr_mesh){.name = "",

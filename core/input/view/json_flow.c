@@ -5,9 +5,9 @@
 enum { VIEW, POSES };
 #define AT(member) offsetof(struct zr_parsed_flow, member)
 static const struct zr_json_field fields[] = {
-    [VIEW] = {"view", zr_json_place, AT(view), .object = &zr_json_object_view, .otherwise = "that of the picture",
+    [VIEW] = {"view", zr_json_value_start, AT(view), .object = &zr_json_object_view, .otherwise = "that of the picture",
               .text = "pose and projection of the camera"},
-    [POSES] = {"poses", zr_json_place, AT(poses), .otherwise = "those of the picture",
+    [POSES] = {"poses", zr_json_value_start, AT(poses), .otherwise = "those of the picture",
                .text = "matrices of nodes, by their names",
                .schema = ZR_SCHEMA({"type" : "object", "additionalProperties" : {"$ref" : "#/$defs/affine"}})}};
 #undef AT

@@ -12,12 +12,12 @@ float zr_depth16_scale(const struct zr_frame *frame, float given)
 }
 
 /* Rounds as the kernel does. */
-static uint16_t step_in_range(const struct zr_depth16 *d, float depth, uint32_t *misfits)
+static uint16_t step_in_range(const struct zr_depth16 *d, float depth, uint32_t *clamped)
 {
     if (depth < d->range[0]) return 0;
     if (depth > d->range[1]) return 65535;
     const float step = rintf(depth / d->scale);
-    *misfits += !(step >= 1.0f) || step > 65535.0f;
+    *clamped += !(step >= 1.0f) || step > 65535.0f;
     return (uint16_t)fminf(fmaxf(step, 1.0f), 65535.0f);
 }
 
@@ -27,10 +27,10 @@ static void make_row_in_range(void *source, uint32_t y, void *row, bool again)
     const uint32_t width = d->frame->width;
     const float *depth = d->frame->depth + (size_t)y * width;
     uint16_t *out = row;
-    uint32_t misfits = 0;
+    uint32_t clamped = 0;
     for (uint32_t x = 0; x < width; x++)
-        out[x] = step_in_range(d, depth[x], &misfits);
-    if (!again && misfits > 0) atomic_fetch_add_explicit(&d->misfits, misfits, memory_order_relaxed);
+        out[x] = step_in_range(d, depth[x], &clamped);
+    if (!again && clamped > 0) atomic_fetch_add_explicit(&d->clamped, clamped, memory_order_relaxed);
 }
 
 static void make_row(void *source, uint32_t y, void *row, bool again)
@@ -41,9 +41,9 @@ static void make_row(void *source, uint32_t y, void *row, bool again)
     const float *depth = d->values + (size_t)y * width;
     uint16_t *out = row;
     memset(out, 0, span.begin * sizeof *out);
-    const uint32_t misfits = d->make_steps(depth + span.begin, d->scale, span.end - span.begin, out + span.begin);
+    const uint32_t clamped = d->quantize(depth + span.begin, d->scale, span.end - span.begin, out + span.begin);
     memset(out + span.end, 0, (width - span.end) * sizeof *out);
-    if (!again && misfits > 0) atomic_fetch_add_explicit(&d->misfits, misfits, memory_order_relaxed);
+    if (!again && clamped > 0) atomic_fetch_add_explicit(&d->clamped, clamped, memory_order_relaxed);
 }
 
 struct zr_rows zr_depth16_rows(struct zr_depth16 *depth16)

@@ -27,8 +27,8 @@ struct zr_depth16 {
     const struct zr_column_span *spans; /* pixels outside of them are uncovered; NULL: unknown */
     float scale;
     const float *range; /* nearest and farthest depth, scene units; NULL: any */
-    zr_depth16_fn *make_steps;
-    atomic_uint_fast64_t misfits; /* clamped pixels so far */
+    zr_depth16_fn *quantize;
+    atomic_uint_fast64_t clamped; /* clamped pixels so far */
 };
 
 /* Returns rows of uint16_t in native byte order; `depth16` must outlive them. */

@@ -26,7 +26,7 @@ static uint32_t make_span(const float *depth, float scale, uint32_t count, uint1
 {
     const float no_fraction = 12582912.0f; /* 1.5 * 2^23: rounds to an integer, ties to even */
     const float most = 65535.0f;
-    uint32_t misfits = 0;
+    uint32_t clamped = 0;
     for (uint32_t i = 0; i < count; i++) {
         const float step = (depth[i] / scale + no_fraction) - no_fraction;
         const bool uncovered = depth[i] == INFINITY, low = !(step >= 1.0f), high = step > most;
@@ -34,20 +34,20 @@ static uint32_t make_span(const float *depth, float scale, uint32_t count, uint1
         value = high ? most : value;
         value = uncovered ? 0.0f : value;
         out[i] = (uint16_t)(int32_t)value;
-        misfits += (uint32_t)((depth[i] != INFINITY) & (low | high));
+        clamped += (uint32_t)((depth[i] != INFINITY) & (low | high));
     }
-    return misfits;
+    return clamped;
 }
 
 uint32_t ZR_KERNEL(zr_depth16)(const float *depth, float scale, uint32_t width, uint16_t *out)
 {
-    uint32_t misfits = 0;
+    uint32_t clamped = 0;
     for (uint32_t x = 0; x < width; x += SPAN) {
         const uint32_t count = width - x < SPAN ? width - x : SPAN;
         if (count == SPAN && is_uncovered(depth + x))
             memset(out + x, 0, SPAN * sizeof *out);
         else
-            misfits += make_span(depth + x, scale, count, out + x);
+            clamped += make_span(depth + x, scale, count, out + x);
     }
-    return misfits;
+    return clamped;
 }

@@ -6,9 +6,9 @@
 
 #include "base/matrix.h"
 #include "geometry/face.h"
-#include "scene/output.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/mesh_label.h"
+#include "scene/output.h"
 #include "sections/sections.h"
 
 /* Returns true if the corners of every placed face are collinear. */
@@ -271,12 +271,12 @@ struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, cons
 }
 
 struct zr_warning_list zr_warnings_list(struct zr_arena *arena, const struct zr_drawing_warnings *drawing,
-                                        uint64_t misfits)
+                                        uint64_t clamped)
 {
     struct zr_warning_list all = {.count = 0};
     zr_warning_list_append(arena, &all, &drawing->first);
-    if (misfits > 0)
-        zr_warning_list_add(arena, &all, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
+    if (clamped > 0)
+        zr_warning_list_add(arena, &all, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", clamped);
     zr_warning_list_append(arena, &all, &drawing->last);
     return all;
 }

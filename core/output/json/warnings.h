@@ -17,10 +17,10 @@ struct zr_drawing_warnings {
 struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
                                                     const struct zr_frame *frame);
 
-/* Joins both lists, with the warning of `misfits` pixels whose depth does not fit 16 bits between them. Texts are
+/* Joins both lists, with the warning of `clamped` pixels whose depth does not fit 16 bits between them. Texts are
  * copied to the arena. */
 struct zr_warning_list zr_warnings_list(struct zr_arena *arena, const struct zr_drawing_warnings *drawing,
-                                        uint64_t misfits);
+                                        uint64_t clamped);
 
 /* Returns one line of less than ZR_WARNINGS_SIZE bytes (core.h): whole warnings, separated by "; ", and the number
  * of those left out for lack of room. "" if the arena has failed. */

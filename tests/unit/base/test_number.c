@@ -1,11 +1,11 @@
 #include <math.h>
 
-#include "unit/common/guarded.h"
-#include "input/json/json_rows.h"
+#include "input/json/json_number_rows.h"
 #include "input/text/number.h"
 #include "support/random.h"
 #include "support/sanitized.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
 
 /* Sanitizers take ten times as long. */
 enum { NUMBERS = IS_SANITIZED ? 500000 : 3000000 };
@@ -252,7 +252,7 @@ TEST(random_numbers_in_rows_have_the_value_strtod_gives)
         for (int k = 0; k < 4; k++)
             fits = fits && fabs(strtod(text + starts[k], NULL)) <= limit;
         zr_vec4 got;
-        const char *behind = zr_row_vec4(text, text + length + (i % 2 ? 100 : 0), -limit, limit, &got);
+        const char *behind = zr_numbers_vec4(text, text + length + (i % 2 ? 100 : 0), -limit, limit, &got);
         if (behind != (fits ? text + length - 1 : NULL)) fail_msg("%s: ends at %td", text, behind ? behind - text : -1);
         if (fits && memcmp(&got, want, sizeof want) != 0) fail_msg("%s", text);
     }

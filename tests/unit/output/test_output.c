@@ -161,14 +161,14 @@ TEST_AROUND(depth16_is_written_row_by_row, open_arena, close_arena)
     for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
         depth[i] = i % 3 == 0 ? INFINITY : 0.01f * (float)(i % 7000);
     const struct zr_frame frame = {.width = WIDTH, .height = HEIGHT, .depth = depth};
-    uint64_t misfits = 0;
+    uint64_t clamped = 0;
     for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
-        misfits += i % 3 != 0 && (i % 7000 == 0 || i % 7000 > 6553);
+        clamped += i % 3 != 0 && (i % 7000 == 0 || i % 7000 > 6553);
     static const enum zr_compress ways[] = {ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL};
     struct zr_team *team = zr_team_create(3);
     for (int i = 0; i < 2; i++) {
         struct zr_depth16 depth16 = {
-            .frame = &frame, .values = depth, .scale = 0.001f, .make_steps = zr_depth16_of(zr_isa_best())};
+            .frame = &frame, .values = depth, .scale = 0.001f, .quantize = zr_depth16_of(zr_isa_best())};
         struct zr_buffer out = {.arena = &arena};
         const struct zr_png png = {.kind = ZR_PNG_GREY16,
                                    .width = WIDTH,
@@ -176,14 +176,14 @@ TEST_AROUND(depth16_is_written_row_by_row, open_arena, close_arena)
                                    .rows = zr_depth16_rows(&depth16),
                                    .compress = ways[i]};
         assert_int_equal(zr_png_write(&png, team, NULL, &out), ZR_OK);
-        assert_int_equal(depth16.misfits, misfits);
+        assert_int_equal(depth16.clamped, clamped);
         uint32_t width, height;
         uint16_t *got = png_memory_read(out.bytes, out.size, PNG_AS_GREY16, &width, &height);
         assert_non_null(got);
         assert_int_equal(width, WIDTH);
         for (uint32_t y = 0; y < HEIGHT; y++) {
             uint16_t want[WIDTH];
-            depth16.make_steps(depth + (size_t)y * WIDTH, 0.001f, WIDTH, want);
+            depth16.quantize(depth + (size_t)y * WIDTH, 0.001f, WIDTH, want);
             assert_memory_equal(got + (size_t)y * WIDTH, want, sizeof want);
         }
         free(got);

@@ -227,7 +227,8 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
          "section: 'x,x,x,x,x,x,x' is not a list of up to 6 planes"},
         {{.format = ZR_FORMAT_OBJ, .sectionCorner = "true"}, "sectionCorner: section is missing"},
         {{.format = ZR_FORMAT_STL, .sectionHatch = "true"},
-         "parameter sectionHatch: section is missing, which is needed here: planes that cut the mesh open: x, y or z, a "
+         "parameter sectionHatch: section is missing, which is needed here: planes that cut the mesh open: x, y or z, "
+         "a "
          "share "
          "of its bounds and a side, such as x:0.5"},
         {{.format = ZR_FORMAT_JSON, .section = "x"}, "parameter section belongs to bodies that are a bare mesh"},
@@ -447,7 +448,7 @@ TEST(each_parameter_leads_to_a_key_that_has_what_its_kind_needs)
     static const struct {
         const char *name, *pointer, *kind, *help;
     } rows[] = {
-#define ROW(name, pointer, whose, kind, help) {#name, pointer, #kind, help},
+#define ROW(name, pointer, scope, kind, help) {#name, pointer, #kind, help},
         ZR_PARAMETER_ROWS(ROW)
 #undef ROW
     };

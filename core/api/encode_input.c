@@ -1,4 +1,4 @@
-#include "api/remains.h"
+#include "api/encode_input.h"
 
 #include <string.h>
 
@@ -46,9 +46,10 @@ static void keep_outputs(struct zr_arena *arena, const struct zr_view *from, str
     view->outputs = zr_arena_copy(arena, from->outputs, from->output_count * sizeof *from->outputs);
 }
 
-struct zr_remains *zr_remains_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame)
+struct zr_encode_input *zr_encode_input_make(struct zr_arena *arena, const struct zr_scene *scene,
+                                             const struct zr_frame *frame)
 {
-    struct zr_remains *made = zr_arena_zero(arena, 1, sizeof *made);
+    struct zr_encode_input *made = zr_arena_zero(arena, 1, sizeof *made);
     if (!made) return NULL;
     made->scene = (struct zr_scene){.look = scene->look,
                                     .background = scene->background,

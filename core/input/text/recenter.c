@@ -1,7 +1,7 @@
-#include "input/text/far.h"
+#include "input/text/recenter.h"
 
-enum zr_status zr_far_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,
-                             const double **origin, struct zr_error *error)
+enum zr_status zr_recenter_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,
+                                  const double **origin, struct zr_error *error)
 {
     const double limit = (double)limits->coordinate_max;
     bool is_far = false;
@@ -27,8 +27,8 @@ enum zr_status zr_far_origin(struct zr_arena *arena, const struct zr_box *box, c
 /* Positions between two checks of `cancel`: less than a millisecond. */
 enum { AT_ONCE = 1 << 14 };
 
-enum zr_status zr_far_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
-                            zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error)
+enum zr_status zr_recenter_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
+                                 zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error)
 {
     struct zr_box box = zr_box_empty();
     for (size_t i = 0; i < count; i++) {
@@ -36,11 +36,11 @@ enum zr_status zr_far_shift(struct zr_arena *arena, const struct zr_cancel *canc
         if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
         zr_box_include(&box, v);
     }
-    const enum zr_status status = zr_far_origin(arena, &box, limits, origin, error);
+    const enum zr_status status = zr_recenter_origin(arena, &box, limits, origin, error);
     for (size_t i = 0; status == ZR_OK && *origin && i < count; i++) {
         const double v[3] = {(double)positions[i].x, (double)positions[i].y, (double)positions[i].z};
         if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
-        positions[i] = zr_far_position(v, *origin);
+        positions[i] = zr_recenter_position(v, *origin);
     }
     return status;
 }

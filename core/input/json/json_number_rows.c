@@ -1,27 +1,27 @@
-#include "input/json/json_rows.h"
+#include "input/json/json_number_rows.h"
 
 #include "scene/texture.h"
 
-const char *zr_row_any_next(const char *at, const char *end, double low, double high, float *out)
+const char *zr_numbers_any_next(const char *at, const char *end, double low, double high, float *out)
 {
     double value;
-    at = zr_row_skip_space(at + 1, end);
+    at = zr_numbers_skip_space(at + 1, end);
     const char *behind = zr_number_quick(at, end, &value);
     if (!behind) behind = zr_number_read_json(at, end, &value);
     if (!behind || !(value >= low && value <= high)) return NULL;
     *out = (float)value;
-    behind = zr_row_skip_space(behind, end);
+    behind = zr_numbers_skip_space(behind, end);
     return behind < end && (*behind == ',' || *behind == ']') ? behind : NULL;
 }
 
-const char *zr_row_any_three(const char *at, const char *end, double low, double high, zr_vec3 *out)
+const char *zr_numbers_any_three(const char *at, const char *end, double low, double high, zr_vec3 *out)
 {
     float x, y, z;
-    at = zr_row_any_next(at, end, low, high, &x);
+    at = zr_numbers_any_next(at, end, low, high, &x);
     if (!at || *at != ',') return NULL;
-    at = zr_row_any_next(at, end, low, high, &y);
+    at = zr_numbers_any_next(at, end, low, high, &y);
     if (!at || *at != ',') return NULL;
-    at = zr_row_any_next(at, end, low, high, &z);
+    at = zr_numbers_any_next(at, end, low, high, &z);
     if (at) *out = (zr_vec3){x, y, z};
     return at;
 }
@@ -43,13 +43,13 @@ static const char *read_index(const char *at, const char *end, uint32_t count, u
     return *out < count ? at + digits : NULL;
 }
 
-const char *zr_row_any_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
-                               size_t *used)
+const char *zr_numbers_any_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
+                                   size_t *used)
 {
     for (size_t i = 0; i < most; i++) {
-        at = read_index(zr_row_skip_space(at + 1, end), end, count, &out[i]);
+        at = read_index(zr_numbers_skip_space(at + 1, end), end, count, &out[i]);
         if (!at) return NULL;
-        at = zr_row_skip_space(at, end);
+        at = zr_numbers_skip_space(at, end);
         if (at == end) return NULL;
         if (*at == ']') {
             *used = i + 1;
@@ -66,7 +66,7 @@ void zr_rows_read_positions(struct zr_json *json, const struct zr_json_path *pat
     const double limit = (double)json->limits->coordinate_max;
     zr_vec4 *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
-        const char *behind = zr_row_position(json->at, json->end, limit, row);
+        const char *behind = zr_numbers_position(json->at, json->end, limit, row);
         if (behind)
             json->at = behind;
         else
@@ -80,7 +80,7 @@ void zr_rows_read_colors(struct zr_json *json, const struct zr_json_path *path, 
 {
     zr_vec4 *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
-        const char *behind = zr_row_color(json->at, json->end, row);
+        const char *behind = zr_numbers_color(json->at, json->end, row);
         if (behind)
             json->at = behind;
         else
@@ -95,7 +95,7 @@ void zr_rows_read_vec3s(struct zr_json *json, const struct zr_json_path *path, s
     const double limit = (double)json->limits->coordinate_max;
     zr_vec3 *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
-        const char *behind = zr_row_vec3(json->at, json->end, limit, row);
+        const char *behind = zr_numbers_vec3(json->at, json->end, limit, row);
         if (behind)
             json->at = behind;
         else
@@ -108,9 +108,9 @@ static const char *row_texcoord(const char *at, const char *end, float out[2])
 {
     const double limit = (double)ZR_TEXCOORD_MAX;
     if (at == end || *at != '[') return NULL;
-    at = zr_row_next(at, end, -limit, limit, &out[0]);
+    at = zr_numbers_next(at, end, -limit, limit, &out[0]);
     if (!at || *at != ',') return NULL;
-    at = zr_row_next(at, end, -limit, limit, &out[1]);
+    at = zr_numbers_next(at, end, -limit, limit, &out[1]);
     return at && *at == ']' ? at + 1 : NULL;
 }
 
@@ -142,9 +142,9 @@ static const char *row_tangent(const char *at, const char *end, double limit, zr
 {
     zr_vec3 v;
     float w;
-    at = zr_row_three(at, end, -limit, limit, &v);
+    at = zr_numbers_three(at, end, -limit, limit, &v);
     if (!at || *at != ',') return NULL;
-    at = zr_row_next(at, end, -limit, limit, &w);
+    at = zr_numbers_next(at, end, -limit, limit, &w);
     *out = (zr_vec4){v.x, v.y, v.z, w};
     return at && *at == ']' && is_sign(w) ? at + 1 : NULL;
 }

@@ -1,9 +1,9 @@
-#include "input/model/far_scene.h"
+#include "input/model/recenter_scene.h"
 
 /* Positions or instances between two checks of the cancel flag: less than a millisecond. */
 enum { AT_ONCE = 1 << 13 };
 
-static bool is_moved(const struct zr_far_scene *scene)
+static bool is_moved(const struct zr_recenter_scene *scene)
 {
     bool is_any = false;
     for (uint32_t i = 0; i < scene->count; i++)
@@ -11,7 +11,7 @@ static bool is_moved(const struct zr_far_scene *scene)
     return is_any;
 }
 
-bool zr_far_instances_needed(const struct zr_far_scene *scene, const struct zr_limits *limits)
+bool zr_recenter_instances_needed(const struct zr_recenter_scene *scene, const struct zr_limits *limits)
 {
     const float limit = limits->coordinate_max;
     bool is_far = is_moved(scene);
@@ -36,21 +36,21 @@ static bool find_box(const struct zr_cancel *cancel, const zr_vec4 *positions, s
     return true;
 }
 
-enum zr_status zr_far_move_floats(struct zr_arena *arena, const struct zr_cancel *cancel,
-                                  const struct zr_limits *limits, zr_vec4 *positions, size_t count,
-                                  const struct zr_far_move **move, struct zr_error *error)
+enum zr_status zr_recenter_move_floats(struct zr_arena *arena, const struct zr_cancel *cancel,
+                                       const struct zr_limits *limits, zr_vec4 *positions, size_t count,
+                                       const struct zr_recenter_move **move, struct zr_error *error)
 {
-    struct zr_far_move *made = zr_arena_zero(arena, 1, sizeof *made);
+    struct zr_recenter_move *made = zr_arena_zero(arena, 1, sizeof *made);
     *move = NULL;
     if (!made) return ZR_NO_MEMORY;
     if (!find_box(cancel, positions, count, &made->box)) return ZR_CANCELLED;
-    const enum zr_status status = zr_far_shift(arena, cancel, limits, positions, count, &made->by, error);
+    const enum zr_status status = zr_recenter_shift(arena, cancel, limits, positions, count, &made->by, error);
     if (made->by) *move = made;
     return status;
 }
 
 /* Finds the bounds of each mesh that an instance uses, in the coordinates of the file. False if cancelled. */
-static bool find_boxes(const struct zr_cancel *cancel, const struct zr_far_scene *scene, struct zr_box *boxes)
+static bool find_boxes(const struct zr_cancel *cancel, const struct zr_recenter_scene *scene, struct zr_box *boxes)
 {
     for (uint32_t i = 0; i < scene->count; i++)
         boxes[scene->instances[i].mesh] = (struct zr_box){{0}, {-1, -1, -1}}; /* not found yet */
@@ -93,7 +93,7 @@ static bool has_far_middle(const struct zr_box *box, double limit)
 /* ---- matrices ---- */
 
 /* Returns the matrix for positions of a moved mesh, with the origin subtracted. */
-static zr_mat4 matrix_of(const struct zr_matrix *exact, const struct zr_far_move *move, const double *origin)
+static zr_mat4 matrix_of(const struct zr_matrix *exact, const struct zr_recenter_move *move, const double *origin)
 {
     const double zero[3] = {0}, *from = move ? move->by : zero;
     const double v[4] = {from[0], from[1], from[2], 1};
@@ -107,8 +107,9 @@ static zr_mat4 matrix_of(const struct zr_matrix *exact, const struct zr_far_move
     return out;
 }
 
-enum zr_status zr_far_instances(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
-                                const struct zr_far_scene *scene, const double **origin, struct zr_error *error)
+enum zr_status zr_recenter_instances(struct zr_arena *arena, const struct zr_cancel *cancel,
+                                     const struct zr_limits *limits, const struct zr_recenter_scene *scene,
+                                     const double **origin, struct zr_error *error)
 {
     uint32_t meshes = 0;
     *origin = NULL;
@@ -122,7 +123,7 @@ enum zr_status zr_far_instances(struct zr_arena *arena, const struct zr_cancel *
         include_corners(&all, &boxes[scene->instances[i].mesh], &scene->exact[i]);
     }
     if (!is_moved(scene) && !has_far_middle(&all, (double)limits->coordinate_max)) return ZR_OK;
-    const enum zr_status status = zr_far_origin(arena, &all, limits, origin, error);
+    const enum zr_status status = zr_recenter_origin(arena, &all, limits, origin, error);
     for (uint32_t i = 0; status == ZR_OK && i < scene->count; i++) {
         if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
         scene->instances[i].object_to_world =

@@ -1,15 +1,15 @@
-/* far.h - input: meshes far from the origin, such as surveys in metres. Subtracts their middle in double precision,
+/* recenter.h - input: meshes far from the origin, such as surveys in metres. Subtracts their middle in double precision,
  * before positions are rounded to float.
  *
- *     read all positions; note whether one is beyond limits->coordinate_max, and refuse those beyond zr_far_limit
+ *     read all positions; note whether one is beyond limits->coordinate_max, and refuse those beyond zr_recenter_limit
  *     if one is: read again, zr_box_include for each position that is drawn
- *                zr_far_origin(&box, limits, origin), then read again, subtract origin before rounding, and set
+ *                zr_recenter_origin(&box, limits, origin), then read again, subtract origin before rounding, and set
  *                scene->origin
  *
  * A mesh within the limit keeps its coordinates: its origin is NULL.
  */
-#ifndef ZR_FAR_H
-#define ZR_FAR_H
+#ifndef ZR_RECENTER_H
+#define ZR_RECENTER_H
 
 #include <math.h>
 #include <stdbool.h>
@@ -47,14 +47,14 @@ static inline void zr_box_join(struct zr_box *box, const struct zr_box *other)
 }
 
 /* Returns the position minus the origin. `origin` may be NULL. */
-static inline zr_vec4 zr_far_position(const double v[3], const double *origin)
+static inline zr_vec4 zr_recenter_position(const double v[3], const double *origin)
 {
     if (!origin) return (zr_vec4){(float)v[0], (float)v[1], (float)v[2], 1};
     return (zr_vec4){(float)(v[0] - origin[0]), (float)(v[1] - origin[1]), (float)(v[2] - origin[2]), 1};
 }
 
 /* Largest magnitude of a coordinate before its origin is subtracted. */
-static inline double zr_far_limit(const struct zr_limits *limits)
+static inline double zr_recenter_limit(const struct zr_limits *limits)
 {
     return (double)limits->coordinate_max * 1e9;
 }
@@ -63,11 +63,11 @@ static inline double zr_far_limit(const struct zr_limits *limits)
  * coordinate_max, or if the arena failed. Refuses a box whose half extent exceeds ZR_FAR_HALF_EXTENTS times
  * coordinate_max. */
 enum { ZR_FAR_HALF_EXTENTS = 1000 };
-enum zr_status zr_far_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,
-                             const double **origin, struct zr_error *error);
+enum zr_status zr_recenter_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,
+                                  const double **origin, struct zr_error *error);
 
 /* Finds and subtracts the origin of `count` positions that are floats in the file. All of them are drawn. */
-enum zr_status zr_far_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
-                            zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error);
+enum zr_status zr_recenter_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
+                                 zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error);
 
 #endif

@@ -1,4 +1,4 @@
-#include "geometry/claims.h"
+#include "geometry/cap_samples.h"
 
 enum { WORD = 64 };
 
@@ -12,11 +12,11 @@ static void count_caps(const struct zr_scene *scene, uint64_t counts[ZR_SECTION_
     }
 }
 
-bool zr_claims_make(struct zr_arena *arena, const struct zr_scene *scene, uint32_t width, uint32_t height,
-                    struct zr_claims *claims)
+bool zr_cap_samples_make(struct zr_arena *arena, const struct zr_scene *scene, uint32_t width, uint32_t height,
+                         struct zr_cap_samples *claims)
 {
     uint64_t counts[ZR_SECTION_PLANES_MAX] = {0};
-    *claims = (struct zr_claims){.words = width / WORD + 1};
+    *claims = (struct zr_cap_samples){.words = width / WORD + 1};
     count_caps(scene, counts);
     for (int k = 0; k < ZR_SECTION_PLANES_MAX; k++) {
         if (counts[k] < 2) continue;
@@ -26,8 +26,8 @@ bool zr_claims_make(struct zr_arena *arena, const struct zr_scene *scene, uint32
     return true;
 }
 
-int32_t zr_claims_run(const struct zr_claims *claims, uint32_t plane, int32_t row, int32_t column, int32_t end,
-                      bool *is_taken)
+int32_t zr_cap_samples_run(const struct zr_cap_samples *claims, uint32_t plane, int32_t row, int32_t column,
+                           int32_t end, bool *is_taken)
 {
     const uint64_t *bits = claims->bits[plane] + (size_t)row * claims->words;
     *is_taken = bits[column / WORD] >> column % WORD & 1;
@@ -43,7 +43,7 @@ int32_t zr_claims_run(const struct zr_claims *claims, uint32_t plane, int32_t ro
     return column < end ? column : end;
 }
 
-void zr_claims_take(const struct zr_claims *claims, uint32_t plane, int32_t row, int32_t begin, int32_t end)
+void zr_cap_samples_take(const struct zr_cap_samples *claims, uint32_t plane, int32_t row, int32_t begin, int32_t end)
 {
     uint64_t *bits = claims->bits[plane] + (size_t)row * claims->words;
     while (begin < end) {

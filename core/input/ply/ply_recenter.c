@@ -1,4 +1,4 @@
-/* Moves PLY that is far from the origin (far.h).
+/* Moves PLY that is far from the origin (recenter.h).
  * Vertices are read twice more: for the bounds of the drawn ones, and with the middle subtracted. */
 #include "input/ply/ply_file.h"
 #include "scene/unused_positions.h"
@@ -46,7 +46,7 @@ enum zr_status zr_ply_adjust(struct zr_ply_file *file, struct zr_scene_builder *
     file->finds_box = true;
     enum zr_status status = read_again(file);
     file->finds_box = false;
-    if (status == ZR_OK) status = zr_far_origin(file->arena, &file->box, file->limits, &file->origin, file->error);
+    if (status == ZR_OK) status = zr_recenter_origin(file->arena, &file->box, file->limits, &file->origin, file->error);
     if (status == ZR_OK) status = read_again(file);
     builder->scene->origin = file->origin;
     return status;

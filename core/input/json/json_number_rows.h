@@ -1,21 +1,21 @@
-/* json_rows.h - input: reads rows of numbers from the text straight into the scene's arrays.
+/* json_number_rows.h - input: reads rows of numbers from the text straight into the scene's arrays.
  *
  * Each function reads the value at `at` and returns the byte after it. NULL if its form or range is wrong, or its form
  * is unusual; the caller then uses the reader of json_value.h, which reports faults. They accept only valid JSON. All
  * are inlined into the loops over lists: a call per row costs a tenth.
  */
-#ifndef ZR_JSON_ROWS_H
-#define ZR_JSON_ROWS_H
+#ifndef ZR_JSON_NUMBER_ROWS_H
+#define ZR_JSON_NUMBER_ROWS_H
 
 #include "base/inlined.h"
 #include "base/vec.h"
-#include "input/text/color_names.h"
-#include "input/text/color_text.h"
 #include "input/json/json_list.h"
 #include "input/json/json_value.h"
+#include "input/text/color_names.h"
+#include "input/text/color_text.h"
 #include "input/text/number.h"
 
-static inline const char *zr_row_skip_space(const char *at, const char *end)
+static inline const char *zr_numbers_skip_space(const char *at, const char *end)
 {
     return at < end && (unsigned char)*at <= ' ' ? zr_json_skip_space(at, end) : at;
 }
@@ -23,7 +23,7 @@ static inline const char *zr_row_skip_space(const char *at, const char *end)
 #ifdef __SSE2__
 /* Reads the number after `at` in its usual form and returns the byte after it, or NULL. May read ZR_QUICKER_BYTES + 2
  * bytes. */
-ZR_INLINED const char *zr_row_quicker(const char *at, double low, double high, float *out)
+ZR_INLINED const char *zr_numbers_quicker(const char *at, double low, double high, float *out)
 {
     double value;
     at++;
@@ -36,55 +36,55 @@ ZR_INLINED const char *zr_row_quicker(const char *at, double low, double high, f
 #endif
 
 /* Reads the number after `at`, a '[' or ',', in any form. Returns the ',' or ']' that follows it. */
-const char *zr_row_any_next(const char *at, const char *end, double low, double high, float *out);
+const char *zr_numbers_any_next(const char *at, const char *end, double low, double high, float *out);
 
-/* zr_row_any_next, with the usual form inlined. */
-ZR_INLINED const char *zr_row_next(const char *at, const char *end, double low, double high, float *out)
+/* zr_numbers_any_next, with the usual form inlined. */
+ZR_INLINED const char *zr_numbers_next(const char *at, const char *end, double low, double high, float *out)
 {
 #ifdef __SSE2__
     if (end - at >= ZR_QUICKER_BYTES + 2) {
-        const char *behind = zr_row_quicker(at, low, high, out);
+        const char *behind = zr_numbers_quicker(at, low, high, out);
         if (behind && (*behind == ',' || *behind == ']')) return behind;
     }
 #endif
-    return zr_row_any_next(at, end, low, high, out);
+    return zr_numbers_any_next(at, end, low, high, out);
 }
 
 /* Reads three numbers in any form after `at`, a '['. Returns the ',' or ']' that follows. */
-const char *zr_row_any_three(const char *at, const char *end, double low, double high, zr_vec3 *out);
+const char *zr_numbers_any_three(const char *at, const char *end, double low, double high, zr_vec3 *out);
 
-/* zr_row_any_three, with the usual form inlined. Three variables instead of an array: a vector load behind three float
+/* zr_numbers_any_three, with the usual form inlined. Three variables instead of an array: a vector load behind three float
  * stores stalls (store forwarding), 3 ns per row. */
-ZR_INLINED const char *zr_row_three(const char *at, const char *end, double low, double high, zr_vec3 *out)
+ZR_INLINED const char *zr_numbers_three(const char *at, const char *end, double low, double high, zr_vec3 *out)
 {
     if (at == end || *at != '[') return NULL;
 #ifdef __SSE2__
     float x, y, z;
     const char *next = at;
-    if (end - at >= 3 * ZR_QUICKER_BYTES && (next = zr_row_quicker(next, low, high, &x)) && *next == ',' &&
-        (next = zr_row_quicker(next, low, high, &y)) && *next == ',' && (next = zr_row_quicker(next, low, high, &z)) &&
-        (*next == ']' || *next == ',')) {
+    if (end - at >= 3 * ZR_QUICKER_BYTES && (next = zr_numbers_quicker(next, low, high, &x)) && *next == ',' &&
+        (next = zr_numbers_quicker(next, low, high, &y)) && *next == ',' &&
+        (next = zr_numbers_quicker(next, low, high, &z)) && (*next == ']' || *next == ',')) {
         *out = (zr_vec3){x, y, z};
         return next;
     }
 #endif
-    return zr_row_any_three(at, end, low, high, out);
+    return zr_numbers_any_three(at, end, low, high, out);
 }
 
-ZR_INLINED const char *zr_row_vec3(const char *at, const char *end, double limit, zr_vec3 *out)
+ZR_INLINED const char *zr_numbers_vec3(const char *at, const char *end, double limit, zr_vec3 *out)
 {
-    at = zr_row_three(at, end, -limit, limit, out);
+    at = zr_numbers_three(at, end, -limit, limit, out);
     return at && *at == ']' ? at + 1 : NULL;
 }
 
 /* Reads three or four numbers; the default of the fourth is 1. */
-ZR_INLINED const char *zr_row_vec4(const char *at, const char *end, double low, double high, zr_vec4 *out)
+ZR_INLINED const char *zr_numbers_vec4(const char *at, const char *end, double low, double high, zr_vec4 *out)
 {
     zr_vec3 v;
     float w = 1.0f;
-    at = zr_row_three(at, end, low, high, &v);
+    at = zr_numbers_three(at, end, low, high, &v);
     if (at && *at == ',') {
-        at = zr_row_next(at, end, low, high, &w);
+        at = zr_numbers_next(at, end, low, high, &w);
         if (at && *at != ']') return NULL;
     }
     if (!at) return NULL;
@@ -92,14 +92,14 @@ ZR_INLINED const char *zr_row_vec4(const char *at, const char *end, double low, 
     return at + 1;
 }
 
-static inline const char *zr_row_position(const char *at, const char *end, double limit, zr_vec4 *out)
+static inline const char *zr_numbers_position(const char *at, const char *end, double limit, zr_vec4 *out)
 {
-    return zr_row_vec4(at, end, -limit, limit, out);
+    return zr_numbers_vec4(at, end, -limit, limit, out);
 }
 
-static inline const char *zr_row_color(const char *at, const char *end, zr_vec4 *out)
+static inline const char *zr_numbers_color(const char *at, const char *end, zr_vec4 *out)
 {
-    if (at == end || *at != '"') return zr_row_vec4(at, end, 0.0, 1.0, out);
+    if (at == end || *at != '"') return zr_numbers_vec4(at, end, 0.0, 1.0, out);
     size_t length = 1;
     while (length <= ZR_COLOR_NAME_MAX && end - at > (ptrdiff_t)(length + 1) && at[length] != '"')
         length++;
@@ -110,12 +110,12 @@ static inline const char *zr_row_color(const char *at, const char *end, zr_vec4 
 }
 
 /* Reads 1..most indices below `count`; *used: how many. `at` is the '['. */
-const char *zr_row_any_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
-                               size_t *used);
+const char *zr_numbers_any_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
+                                   size_t *used);
 
-/* zr_row_any_indices, inlined for short rows without spaces: saves a tenth of reading a mesh. */
-ZR_INLINED const char *zr_row_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
-                                      size_t *used)
+/* zr_numbers_any_indices, inlined for short rows without spaces: saves a tenth of reading a mesh. */
+ZR_INLINED const char *zr_numbers_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
+                                          size_t *used)
 {
     if (at == end || *at != '[') return NULL;
 #ifdef __SSE2__
@@ -124,7 +124,7 @@ ZR_INLINED const char *zr_row_indices(const char *at, const char *end, uint32_t 
         if (behind && *behind == ']') return behind + 1;
     }
 #endif
-    return zr_row_any_indices(at, end, count, most, out, used);
+    return zr_numbers_any_indices(at, end, count, most, out, used);
 }
 
 /* ---- lists of rows ---- */
