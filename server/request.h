@@ -86,7 +86,7 @@ struct request {
     bool is_private;   /* set by router_open: a token opened it; shared caches must not keep the answer */
     const char *body;  /* set by the caller of router_work */
     size_t body_size;
-    bool small_only;   /* set on the express (queue.h): a request that turns out to be large is given up */
+    bool small_only; /* set on the express (queue.h): a request that turns out to be large is given up */
 
     /* Set by rendering_open and drake_open: */
     char boundary[MULTIPART_BOUNDARY_SIZE]; /* of the body's parts; "": no parts */

@@ -8,10 +8,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "files/file_list.h"
 #include "engine/interruption.h"
 #include "engine/progress.h"
 #include "engine/report.h"
+#include "files/file_list.h"
 #include "files/resume.h"
 #include "tables.h"
 

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/report.h"
 #include "files/output.h"
 #include "files/pixels.h"
-#include "engine/report.h"
 
 struct difference {
     size_t pixels;

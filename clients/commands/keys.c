@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "api/zraster.h"
-#include "tables.h"
 #include "options/values.h"
+#include "tables.h"
 
 enum { NAME_SIZE = 80, DEPTH_MAX = 8 };
 

@@ -9,8 +9,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "mcp/near.h"
 #include "files/neighbours.h"
+#include "mcp/near.h"
 
 static bool is_below(const char *root, const char *path)
 {

@@ -5,11 +5,11 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "help.h"
 #include "engine/progress.h"
 #include "engine/report.h"
-#include "show.h"
+#include "help.h"
 #include "options/words.h"
+#include "show.h"
 
 /* Refuses a first word that is neither a file nor a command, but looks like a command. */
 static int check_command(const struct options *options)

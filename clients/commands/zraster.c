@@ -1,8 +1,8 @@
 /* zraster.c - the command line: draws files in this process by libzraster, or by a daemon. */
 #include <stdio.h>
 
-#include "help.h"
 #include "api/zraster.h"
+#include "help.h"
 #include "tables.h"
 
 int main(int count, char **arguments)

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "interruption.h"
-#include "post.h"
 #include "options/query.h"
 #include "options/wording.h"
+#include "post.h"
 
 /* ---- opening ---- */
 

@@ -5,8 +5,8 @@
 #include <string.h>
 #include <time.h>
 
-#include "interruption.h"
 #include "files/neighbours.h"
+#include "interruption.h"
 
 double job_clock(void)
 {

@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "engine/answer.h"
 #include "bytes.h"
+#include "engine/answer.h"
 #include "options/options.h"
 
 /* The destination of the outputs of a file. */

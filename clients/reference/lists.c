@@ -2,10 +2,10 @@
 
 #include <string.h>
 
-#include "options/command_rows.h"
-#include "options/endings.h"
 #include "input/scene/outputs.h"
 #include "markdown.h"
+#include "options/command_rows.h"
+#include "options/endings.h"
 #include "parameter_rows.h"
 #include "scene/looks.h"
 

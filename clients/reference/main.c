@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "lists.h"
 #include "schema/parameters.h"
 #include "schema/schema.h"
-#include "lists.h"
 
 enum { MEMORY = 64 << 20, PAGES_MAX = 64, OBJECTS_MAX = 128, NAME_SIZE = 64, PATH_SIZE = 1024 };
 

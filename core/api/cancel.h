@@ -4,8 +4,8 @@
 
 #include <stdatomic.h>
 
-#include "base/cancel.h"
 #include "api/zraster.h"
+#include "base/cancel.h"
 
 struct zraster_cancel {
     struct zr_cancel flag;

@@ -2,8 +2,8 @@
 #ifndef ZR_LIBRARY_OPTIONS_H
 #define ZR_LIBRARY_OPTIONS_H
 
-#include "base/status.h"
 #include "api/zraster.h"
+#include "base/status.h"
 
 /* Copies a caller's struct; members after its struct_size become 0. Options may be NULL: all become 0. Fails with
  * ZR_BAD_REQUEST for a struct_size of 0, and for a larger struct whose further members are not 0. */

@@ -1,5 +1,5 @@
-#include "core.h"
 #include "api/zraster.h"
+#include "core.h"
 
 size_t zraster_references(const void *body, size_t body_size, const char *type, char *names, size_t room)
 {

@@ -11,8 +11,8 @@
 #include <locale.h>
 #include <stdatomic.h>
 
-#include "core.h"
 #include "api/zraster.h"
+#include "core.h"
 
 enum { ZR_IDLE_ARENAS = 32 };
 

@@ -3,10 +3,10 @@
 #include <string.h>
 #include <strings.h>
 
-#include "input/formats/formats.h"
-#include "input/query/query_text.h"
 #include "api/cancel.h"
 #include "api/options.h"
+#include "input/formats/formats.h"
+#include "input/query/query_text.h"
 
 static enum zr_status refuse(struct zr_error *error, const char *name, const char *why)
 {

@@ -2,8 +2,8 @@
 #ifndef ZR_LIBRARY_SCENE_H
 #define ZR_LIBRARY_SCENE_H
 
-#include "request/change.h"
 #include "api/renderer.h"
+#include "request/change.h"
 
 struct zraster_scene {
     zraster *renderer;

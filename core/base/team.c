@@ -10,7 +10,7 @@
 #endif
 
 /* Shading needs 0.2 MB of stack, and ThreadSanitizer takes most of one MB. */
-enum { STACK_BYTES = 2 << 20, YIELDS = 100, LINGERING_YIELDS = 200, PARTS_A_THREAD = 3 };
+enum { STACK_BYTES = 2 << 20, YIELDS = 100, LINGERING_YIELDS = 200, PARTS_PER_THREAD = 3 };
 
 /* Lives on the stack of its caller, which returns only when `inside` is 0. */
 struct job {
@@ -234,7 +234,7 @@ void zr_team_shares(struct zr_team *team, size_t count, size_t grain,
 {
     struct shares shares = {.count = count,
                             .grain = grain,
-                            .parts = (size_t)zr_team_size(team) * PARTS_A_THREAD,
+                            .parts = (size_t)zr_team_size(team) * PARTS_PER_THREAD,
                             .work = work,
                             .context = context};
     if (zr_team_size(team) > 1 && count > grain) {

@@ -7,7 +7,7 @@
 enum { DIRECTIONS = 8, RINGS = 3 };
 
 /* Ring steps per window height. A step is at least one pixel. */
-#define STEPS_A_HEIGHT 240
+#define STEPS_PER_HEIGHT 240
 
 /* STEEPEST: limit of slopes. DARKENING: weight of the mean slope. */
 #define STEEPEST  6.0f
@@ -113,7 +113,7 @@ const float *zr_eye_dome_make(const struct zr_run *run, const struct zr_gbuffer 
                       .scale = scale,
                       .cancel = run->cancel,
                       .strength = occlusion->strength,
-                      .step = pixels->height / STEPS_A_HEIGHT > 1 ? pixels->height / STEPS_A_HEIGHT : 1,
+                      .step = pixels->height / STEPS_PER_HEIGHT > 1 ? pixels->height / STEPS_PER_HEIGHT : 1,
                       .raw = zr_arena_alloc(run->arena, size, sizeof *job.raw),
                       .light = zr_arena_alloc(run->arena, size, sizeof *job.light)};
     if (!zr_arena_ok(run->arena)) return NULL;

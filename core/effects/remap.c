@@ -6,7 +6,7 @@
 
 #include "base/run.h"
 
-enum { ROWS_A_RANGE = 4, HALF = ZR_REMAP_ONE / 2 };
+enum { ROWS_PER_RANGE = 4, HALF = ZR_REMAP_ONE / 2 };
 
 /* ---- places ---- */
 
@@ -50,7 +50,7 @@ enum zr_status zr_remap_make(const struct zr_run *run, const struct zr_lens_plan
         zr_arena_alloc(run->arena, (size_t)plan->view_width * plan->view_height, sizeof *places);
     struct making making = {.plan = plan, .cancel = run->cancel, .places = places};
     if (!places) return ZR_NO_MEMORY;
-    zr_team_ranges(run->team, plan->view_height, ROWS_A_RANGE, find_rows, &making);
+    zr_team_ranges(run->team, plan->view_height, ROWS_PER_RANGE, find_rows, &making);
     *remap = (struct zr_remap){.width = plan->view_width,
                                .height = plan->view_height,
                                .source_width = plan->width,
@@ -91,7 +91,7 @@ enum zr_status zr_remap_nearest(const struct zr_run *run, const struct zr_remap 
                                 const uint32_t *source, uint32_t *out)
 {
     struct channel channel = {remap, run->cancel, words, clear, source, out};
-    zr_team_ranges(run->team, remap->height, ROWS_A_RANGE, copy_rows, &channel);
+    zr_team_ranges(run->team, remap->height, ROWS_PER_RANGE, copy_rows, &channel);
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
@@ -251,6 +251,6 @@ enum zr_status zr_remap_color(const struct zr_run *run, const struct zr_remap *r
                               const uint32_t *source, uint32_t *out)
 {
     struct channel channel = {remap, run->cancel, 1, clear, source, out};
-    zr_team_ranges(run->team, remap->height, ROWS_A_RANGE, mix_rows, &channel);
+    zr_team_ranges(run->team, remap->height, ROWS_PER_RANGE, mix_rows, &channel);
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

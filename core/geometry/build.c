@@ -178,7 +178,7 @@ static enum zr_status assemble_mesh(struct zr_builder *builder)
 
 /* From this number on, vertices exceed the share of a core's caches. Non-temporal stores then take 7 to 11 % off the
  * time of a million triangles after other work; a mesh drawn repeatedly takes up to a tenth longer. */
-enum { VERTICES_A_RANGE = 4096, STREAMED_VERTICES = 1 << 17 };
+enum { VERTICES_PER_RANGE = 4096, STREAMED_VERTICES = 1 << 17 };
 
 struct placing {
     const struct zr_builder *builder;
@@ -243,7 +243,7 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
                               .transform = zr_transform_of(zr_team_isa(builder->run->team))};
     placing.streamed = mesh->position_count >= STREAMED_VERTICES && (uintptr_t)placing.out % ZR_CACHE_LINE == 0;
     if (mesh->position_count > 0) /* a mesh that a section cuts away has none */
-        zr_team_ranges(builder->run->team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
+        zr_team_ranges(builder->run->team, mesh->position_count, VERTICES_PER_RANGE, place_vertices, &placing);
     builder->any_outcodes = placing.any_outcodes;
     geometry->vertex_count += mesh->position_count;
     geometry->instances[builder->instance] =

@@ -4,12 +4,12 @@
 
 /* Work between two checks for cancellation: a few milliseconds if all of it is squared corner counts of triangulated
  * faces. */
-enum { WORK_A_CHECK = 1 << 20 };
+enum { WORK_PER_CANCEL_CHECK = 1 << 20 };
 
 bool zr_builder_go_on(struct zr_builder *builder, uint64_t work)
 {
     builder->unchecked += work;
-    if (builder->unchecked < WORK_A_CHECK) return true;
+    if (builder->unchecked < WORK_PER_CANCEL_CHECK) return true;
     builder->unchecked = 0;
     return !zr_is_cancelled(builder->run->cancel);
 }

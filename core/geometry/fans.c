@@ -4,7 +4,7 @@
 #include "base/run.h"
 #include "geometry/face.h"
 
-enum { FACES_A_RANGE = 1024 };
+enum { FACES_PER_RANGE = 1024 };
 
 struct fanning {
     const struct zr_mesh *mesh;
@@ -48,7 +48,7 @@ bool zr_fans_make(const struct zr_run *run, const struct zr_mesh *mesh, struct z
                         .faces = zr_arena_alloc(run->arena, triangles, sizeof *f.faces),
                         .is_other = zr_arena_alloc(run->arena, mesh->face_count, sizeof *f.is_other)};
     if (!zr_arena_ok(run->arena)) return false;
-    zr_team_ranges(run->team, mesh->face_count, FACES_A_RANGE, make_fans, &f);
+    zr_team_ranges(run->team, mesh->face_count, FACES_PER_RANGE, make_fans, &f);
     *fans = (struct zr_fans){f.corners, f.slots, f.faces, f.is_other};
     return true;
 }

@@ -7,12 +7,12 @@ typedef struct zr_loop_corner node;
 #define NONE UINT32_MAX
 enum { RING_MIN = 3, BRIDGES_IN_PLACE = 16 };
 
-enum { VISITS_A_CHECK = 1 << 18 };
+enum { VISITS_PER_CANCEL_CHECK = 1 << 18 };
 
 bool zr_loops_stopped(struct zr_loops *loops, uint64_t visits)
 {
     if (visits < loops->next_look) return false;
-    loops->next_look = visits + VISITS_A_CHECK;
+    loops->next_look = visits + VISITS_PER_CANCEL_CHECK;
     return zr_is_cancelled(loops->cancel);
 }
 

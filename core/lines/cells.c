@@ -5,7 +5,7 @@
 #include "base/sort.h"
 
 /* Triangles are dealt to chunks, whose counts are kept apart. */
-enum { CHUNKS_MOST = 16, HIDERS_A_CHUNK = 4096, HIDERS_A_CANCEL_CHECK = 1 << 10, SORTED_A_RANGE = 16 };
+enum { CHUNKS_MOST = 16, HIDERS_PER_CHUNK = 4096, HIDERS_PER_CANCEL_CHECK = 1 << 10, SORTED_PER_RANGE = 16 };
 
 /* Widens triangles, in pixels. */
 static const double rim = 1e-5;
@@ -141,7 +141,7 @@ static void bin_chunks(void *context, size_t begin, size_t end)
     for (size_t chunk = begin; chunk < end; chunk++) {
         uint32_t *counts = b->counts + chunk * b->columns * b->rows;
         for (uint32_t h = chunk_begin(b, chunk); h < chunk_begin(b, chunk + 1); h++) {
-            if (h % HIDERS_A_CANCEL_CHECK == 0 && zr_is_cancelled(b->cancel)) return;
+            if (h % HIDERS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(b->cancel)) return;
             if (b->mesh->traits[h] & ZR_TRIANGLE_HIDES) add(b, counts, h);
         }
     }
@@ -203,7 +203,7 @@ static bool sort_long_lists(struct zr_arena *arena, struct zr_team *team, const 
     s.sorted = zr_arena_alloc(arena, firsts[cells], sizeof *s.sorted);
     s.keys = zr_arena_alloc(arena, firsts[cells], sizeof *s.keys);
     if (!zr_arena_ok(arena)) return false;
-    zr_team_ranges(team, cells, SORTED_A_RANGE, sort_range, &s);
+    zr_team_ranges(team, cells, SORTED_PER_RANGE, sort_range, &s);
     return true;
 }
 
@@ -227,7 +227,7 @@ static bool sum_counts(const struct binning *b, uint32_t *firsts)
 
 enum zr_status zr_cells_make(const struct zr_run *run, const struct zr_window_mesh *mesh, struct zr_cells *out)
 {
-    const uint32_t hiders = mesh->triangle_count + mesh->cut_count, chunks = hiders / HIDERS_A_CHUNK + 1;
+    const uint32_t hiders = mesh->triangle_count + mesh->cut_count, chunks = hiders / HIDERS_PER_CHUNK + 1;
     struct binning b = {.mesh = mesh,
                         .cancel = run->cancel,
                         .columns = (mesh->view.width + 2 * ZR_WINDOW_MARGIN) / ZR_CELL_PIXELS + 1,

@@ -2,7 +2,7 @@
 
 #include "base/cancel.h"
 
-enum { ITEMS_A_CANCEL_CHECK = 1 << 14, ROUNDS = 8, SHORT_CHAIN = 2 };
+enum { ITEMS_PER_CANCEL_CHECK = 1 << 14, ROUNDS = 8, SHORT_CHAIN = 2 };
 enum { CREASE = ZR_FEATURE_WEAK | ZR_FEATURE_STRONG | ZR_FEATURE_CONVEX | ZR_FEATURE_MORE };
 
 #define NO_LINK UINT32_MAX
@@ -31,7 +31,7 @@ struct chaining {
 
 static bool is_due(const struct chaining *c, size_t i)
 {
-    return i % ITEMS_A_CANCEL_CHECK == 0 && zr_is_cancelled(c->cancel);
+    return i % ITEMS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(c->cancel);
 }
 
 /* ---- lists of vertices ---- */

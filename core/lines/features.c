@@ -6,7 +6,7 @@
 #include "lines/smooth_normal.h"
 #include "mesh/face_normals.h"
 
-enum { EDGES_A_RANGE = 2048, FEW_SIDES = 16 };
+enum { EDGES_PER_RANGE = 2048, FEW_SIDES = 16 };
 
 /* Cosine of 10 degrees: given normals agree. */
 static const float agreed_cosine = 0.98480775f;
@@ -225,6 +225,6 @@ uint8_t *zr_features_find(const struct zr_run *run, const struct zr_window_mesh 
                         .keeps_noise = rule->keeps_noise,
                         .features = zr_arena_alloc(run->arena, mesh->edge_count, sizeof *f.features)};
     if (!f.features) return NULL;
-    zr_team_ranges(run->team, mesh->edge_count, EDGES_A_RANGE, find_range, &f);
+    zr_team_ranges(run->team, mesh->edge_count, EDGES_PER_RANGE, find_range, &f);
     return f.features;
 }

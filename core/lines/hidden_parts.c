@@ -4,7 +4,7 @@
 #include "base/run.h"
 
 /* Parts within a cell: a cell holds less than 12 pixels of a line, and parts are a gap apart from one another. */
-enum { PARTS_A_CELL = 32, PARTS_KEPT = 4, LINES_A_RANGE = 16, HIDERS_A_CANCEL_CHECK = 1 << 14 };
+enum { PARTS_PER_CELL = 32, PARTS_KEPT = 4, LINES_PER_RANGE = 16, HIDERS_PER_CANCEL_CHECK = 1 << 14 };
 
 /* Widens the boxes of lines, in pixels: more than rounding moves them. */
 static const double box_rim = 1e-4;
@@ -33,7 +33,7 @@ struct walk {
 
 struct parts {
     uint32_t count;
-    struct zr_part_of_line at[PARTS_A_CELL];
+    struct zr_part_of_line at[PARTS_PER_CELL];
 };
 
 /* Adds a part, and joins it with the parts whose distance from it is below `gap`. */
@@ -47,7 +47,7 @@ static void add_part(struct parts *parts, double begin, double end, double gap)
         if (parts->at[last].begin < begin) begin = parts->at[last].begin;
         if (parts->at[last].end > end) end = parts->at[last].end;
     }
-    if (last == first && parts->count == PARTS_A_CELL) return; /* impossible: see PARTS_A_CELL */
+    if (last == first && parts->count == PARTS_PER_CELL) return; /* impossible: see PARTS_PER_CELL */
     memmove(&parts->at[first + 1], &parts->at[last], (parts->count - last) * sizeof *parts->at);
     parts->count = parts->count + 1 - (last - first);
     parts->at[first] = (struct zr_part_of_line){begin, end};
@@ -134,7 +134,7 @@ static void visit_cell(const struct finding *f, struct walk *w, uint32_t cell, d
     struct parts parts = {.count = 0};
     const uint32_t first = f->cells->firsts[cell], count = f->cells->firsts[cell + 1] - first;
     for (uint32_t i = first; i < first + count && !zr_cell_ends(&f->cells->entries[i], back, count); i++) {
-        if (++w->unchecked > HIDERS_A_CANCEL_CHECK) {
+        if (++w->unchecked > HIDERS_PER_CANCEL_CHECK) {
             if (zr_is_cancelled(f->cancel)) return;
             w->unchecked = 0;
         }
@@ -225,7 +225,7 @@ enum zr_status zr_hidden_parts_find(const struct zr_run *run, const struct zr_wi
     f.kept = zr_arena_alloc(run->arena, lines->count, sizeof *f.kept);
     f.counts = zr_arena_alloc(run->arena, (size_t)lines->count + 1, sizeof *f.counts);
     if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
-    zr_team_ranges(run->team, lines->count, LINES_A_RANGE, count_range, &f);
+    zr_team_ranges(run->team, lines->count, LINES_PER_RANGE, count_range, &f);
     if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     for (uint32_t i = 0; i <= lines->count; i++) {
         const uint32_t own = i < lines->count ? f.counts[i] : 0;
@@ -234,7 +234,7 @@ enum zr_status zr_hidden_parts_find(const struct zr_run *run, const struct zr_wi
     }
     f.parts = sum <= UINT32_MAX ? zr_arena_alloc(run->arena, sum, sizeof *f.parts) : NULL;
     if (!f.parts) return ZR_NO_MEMORY;
-    zr_team_ranges(run->team, lines->count, LINES_A_RANGE, write_range, &f);
+    zr_team_ranges(run->team, lines->count, LINES_PER_RANGE, write_range, &f);
     *out = (struct zr_hidden_parts){.firsts = f.counts, .parts = f.parts};
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

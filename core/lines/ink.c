@@ -1,7 +1,7 @@
 #include "lines/ink.h"
 #include "base/run.h"
 
-enum { ROWS_A_RANGE = 16 };
+enum { ROWS_PER_RANGE = 16 };
 
 struct laying {
     const struct zr_cancel *cancel;
@@ -42,5 +42,5 @@ void zr_ink_lay(const struct zr_run *run, const float *opacity, zr_vec3 color, u
                             .width = width,
                             .height = height,
                             .pixels = pixels};
-    zr_team_ranges(run->team, height, ROWS_A_RANGE, lay_rows, &laying);
+    zr_team_ranges(run->team, height, ROWS_PER_RANGE, lay_rows, &laying);
 }

@@ -3,7 +3,7 @@
 #include "base/cancel.h"
 #include "base/run.h"
 
-enum { CELLS_A_RANGE = 16, PAIRS_A_CANCEL_CHECK = 1 << 16 };
+enum { CELLS_PER_RANGE = 16, PAIRS_PER_CANCEL_CHECK = 1 << 16 };
 
 /* Corners nearer to a plane, in pixels, lie on it. */
 static const double on_plane = 1e-3;
@@ -185,7 +185,7 @@ static uint32_t seek(const struct seeking *s, uint32_t cell, struct zr_line *out
         corners_of(s, entries[i].hider, first);
         const struct box box = box_of(first);
         const uint32_t piece = s->pieces[zr_hider_source(s->mesh, entries[i].hider)];
-        if ((unchecked += count) > PAIRS_A_CANCEL_CHECK) {
+        if ((unchecked += count) > PAIRS_PER_CANCEL_CHECK) {
             if (zr_is_cancelled(s->cancel)) return found;
             unchecked = 0;
         }
@@ -252,7 +252,7 @@ enum zr_status zr_intersections_add(const struct zr_run *run, const struct zr_wi
     s.counts = zr_arena_alloc(run->arena, cell_count + 1, sizeof *s.counts);
     if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     set_pieces(&s);
-    zr_team_ranges(run->team, cell_count, CELLS_A_RANGE, count_range, &s);
+    zr_team_ranges(run->team, cell_count, CELLS_PER_RANGE, count_range, &s);
     if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     if (!sum_counts(&s, cell_count)) return ZR_NO_MEMORY;
     const uint32_t more = s.counts[cell_count];
@@ -260,7 +260,7 @@ enum zr_status zr_intersections_add(const struct zr_run *run, const struct zr_wi
         zr_arena_grow(run->arena, lines->at, lines->count, (size_t)lines->count + more, sizeof *grown);
     if (!grown) return ZR_NO_MEMORY;
     s.lines = grown + lines->count;
-    zr_team_ranges(run->team, cell_count, CELLS_A_RANGE, make_range, &s);
+    zr_team_ranges(run->team, cell_count, CELLS_PER_RANGE, make_range, &s);
     lines->at = grown;
     lines->count += more;
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;

@@ -4,7 +4,7 @@
 #include "base/run.h"
 #include "lines/cells.h"
 
-enum { PIECES_A_RANGE = 64, LINES_A_CANCEL_CHECK = 1 << 12, WEAK_PIXELS = 6 };
+enum { PIECES_PER_RANGE = 64, LINES_PER_CANCEL_CHECK = 1 << 12, WEAK_PIXELS = 6 };
 
 /* Distances of probes from a line, in pixels, and the tolerances of seams. */
 static const double beside = 1.0, seam = 0.1, weak_beside = 3.0, seam_depth = 0.1, step_least = 1.0;
@@ -137,7 +137,7 @@ static bool add_all(const struct making *m)
 {
     for (uint32_t i = 0; i < m->lines->count; i++) {
         double from = 0.0;
-        if (i % LINES_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return false;
+        if (i % LINES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return false;
         for (uint32_t k = m->hidden->firsts[i]; k < m->hidden->firsts[i + 1]; k++) {
             const struct zr_part_of_line *part = &m->hidden->parts[k];
             add(m, i, from, part->begin, false);
@@ -300,6 +300,6 @@ enum zr_status zr_line_pieces_make(const struct zr_run *run, const struct zr_win
     if (!out->at) return ZR_NO_MEMORY;
     out->count = 0;
     if (!add_all(&m)) return ZR_CANCELLED;
-    zr_team_ranges(run->team, out->count, PIECES_A_RANGE, judge_range, &m);
+    zr_team_ranges(run->team, out->count, PIECES_PER_RANGE, judge_range, &m);
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

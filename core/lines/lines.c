@@ -2,7 +2,7 @@
 
 #include "base/cancel.h"
 
-enum { EDGES_A_CANCEL_CHECK = 1 << 14 };
+enum { EDGES_PER_CANCEL_CHECK = 1 << 14 };
 
 static const double length_least = 1e-9;
 
@@ -119,7 +119,7 @@ enum zr_status zr_lines_make(struct zr_arena *arena, const struct zr_cancel *can
     for (uint32_t i = 0; i < mesh->instance_count; i++) {
         const struct zr_drawn_instance *of = &mesh->instances[i];
         for (uint32_t e = 0; e < of->table->edge_count; e++) {
-            if (e % EDGES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+            if (e % EDGES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
             const unsigned own = features[of->first_edge + e];
             if (own & drawn && make_line(mesh, of, e, own, &out->at[out->count])) out->count++;
         }

@@ -1,6 +1,6 @@
 #include "lines/links.h"
 
-enum { ENDS_A_CANCEL_CHECK = 1 << 12 };
+enum { ENDS_PER_CANCEL_CHECK = 1 << 12 };
 
 /* Ends are nodes within 1/32 pixel; the grid has cells of twice that. */
 static const double reach = 1.0 / 32.0, cell_pixels = 1.0 / 16.0;
@@ -63,7 +63,7 @@ static uint32_t find_node(const struct linking *l, const struct zr_window_point 
 static void make_nodes(struct linking *l)
 {
     for (uint32_t end = 0; end < l->end_count; end++) {
-        if (end % ENDS_A_CANCEL_CHECK == 0 && zr_is_cancelled(l->cancel)) return;
+        if (end % ENDS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(l->cancel)) return;
         const struct zr_window_point *p = point_of(l, end);
         const int64_t x = (int64_t)floor(p->x / cell_pixels), y = (int64_t)floor(p->y / cell_pixels);
         uint32_t node = find_node(l, p, x, y);
@@ -146,7 +146,7 @@ static void link_nodes(struct linking *l)
     for (uint32_t n = 0; n < l->node_count; n++) {
         const uint32_t *ends = l->listed + l->begins[n], count = l->begins[n + 1] - l->begins[n];
         double directions[ZR_NODE_ENDS_MOST][2];
-        if (n % ENDS_A_CANCEL_CHECK == 0 && zr_is_cancelled(l->cancel)) return;
+        if (n % ENDS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(l->cancel)) return;
         if (count < 2 || count > ZR_NODE_ENDS_MOST) continue;
         for (uint32_t i = 0; i < count; i++)
             direction_of(l, ends[i], directions[i]);

@@ -3,7 +3,7 @@
 #include "base/cancel.h"
 #include "base/run.h"
 
-enum { ROWS_A_RANGE = 16, STROKES_A_CANCEL_CHECK = 1 << 12 };
+enum { ROWS_PER_RANGE = 16, STROKES_PER_CANCEL_CHECK = 1 << 12 };
 
 static const float dash = 4.0f, gap = 2.5f;
 
@@ -82,7 +82,7 @@ static void add_polylines(struct drawing *d, const struct zr_polylines *lines, f
 {
     d->count = 0;
     for (uint32_t i = 0; i < lines->count; i++) {
-        if (i % STROKES_A_CANCEL_CHECK == 0 && zr_is_cancelled(d->cancel)) return;
+        if (i % STROKES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(d->cancel)) return;
         add_polyline(d, lines, &lines->at[i], w);
     }
 }
@@ -133,7 +133,7 @@ static void draw_rows(void *context, size_t begin, size_t end)
         const float y0 = s->from[1] < s->to[1] ? s->from[1] : s->to[1],
                     y1 = s->from[1] < s->to[1] ? s->to[1] : s->from[1];
         uint32_t row = pixel_at(y0 - s->radius, d->height), last = pixel_at(y1 + s->radius + 1.0f, d->height);
-        if (i % STROKES_A_CANCEL_CHECK == 0 && zr_is_cancelled(d->cancel)) return;
+        if (i % STROKES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(d->cancel)) return;
         if (row < begin) row = (uint32_t)begin;
         if (last > end) last = (uint32_t)end;
         for (; row < last; row++)
@@ -149,6 +149,6 @@ enum zr_status zr_strokes_draw(const struct zr_run *run, const struct zr_polylin
     d.strokes = zr_arena_alloc(run->arena, d.count, sizeof *d.strokes);
     if (!d.strokes) return ZR_NO_MEMORY;
     add_polylines(&d, lines, w);
-    zr_team_ranges(run->team, height, ROWS_A_RANGE, draw_rows, &d);
+    zr_team_ranges(run->team, height, ROWS_PER_RANGE, draw_rows, &d);
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }

@@ -3,7 +3,7 @@
 #include "base/cancel.h"
 #include "base/run.h"
 
-enum { ITEMS_A_RANGE = 2048 };
+enum { ITEMS_PER_RANGE = 2048 };
 
 /* Triangles with less area have no plane in the window. */
 static const double area_least = 1e-9;
@@ -333,9 +333,9 @@ enum zr_status zr_window_mesh_make(const struct zr_run *run, const struct zr_sce
     m.instances = zr_arena_alloc(run->arena, scene->instance_count, sizeof *m.instances);
     if (!m.instances || !place_instances(&m, tables) || !make_arrays(run->arena, &m)) return ZR_NO_MEMORY;
     out->instances = m.instances;
-    zr_team_ranges(run->team, out->vertex_count, ITEMS_A_RANGE, place_vertices, &m);
+    zr_team_ranges(run->team, out->vertex_count, ITEMS_PER_RANGE, place_vertices, &m);
     if (!zr_is_cancelled(run->cancel))
-        zr_team_ranges(run->team, out->triangle_count, ITEMS_A_RANGE, place_triangles, &m);
+        zr_team_ranges(run->team, out->triangle_count, ITEMS_PER_RANGE, place_triangles, &m);
     if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     const uint32_t cut_triangles = count_cut(&m);
     if (cut_triangles > 0) {

@@ -1,6 +1,6 @@
 #include "mesh/blended_normals.h"
 
-enum { NORMALS_A_CANCEL_CHECK = 1 << 15 };
+enum { NORMALS_PER_CANCEL_CHECK = 1 << 15 };
 
 static zr_vec4 between(const zr_vec4 *a, const zr_vec4 *b, double t)
 {
@@ -28,7 +28,7 @@ zr_vec4 *zr_blended_position_normals(struct zr_arena *arena, const struct zr_can
     memcpy(out, whole, source->first_position * sizeof *out);
     for (uint32_t i = 0; i < source->blend_count; i++) {
         const struct zr_mesh_blend *blend = &source->blends[i];
-        if (i % NORMALS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
+        if (i % NORMALS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
         if (blend->a == ZR_NO_CORNER) continue;
         out[source->first_position + i] =
             between(&out[position_of(source, blend->a)], &out[position_of(source, blend->b)], blend->t);
@@ -48,11 +48,11 @@ zr_vec4 *zr_blended_corner_normals(struct zr_arena *arena, const struct zr_cance
 #define NORMAL(corner) ((corner) < slots ? &whole[corner] : &made[(corner)-slots])
     for (uint32_t i = 0; i < source->blend_count; i++) {
         const struct zr_mesh_blend *blend = &source->blends[i];
-        if (i % NORMALS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
+        if (i % NORMALS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
         if (blend->a != ZR_NO_CORNER) made[i] = between(NORMAL(blend->a), NORMAL(blend->b), blend->t);
     }
     for (uint32_t i = 0; i < corners; i++) {
-        if (i % NORMALS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
+        if (i % NORMALS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
         out[i] = *NORMAL(source->corners[i]);
     }
 #undef NORMAL

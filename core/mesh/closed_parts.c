@@ -10,7 +10,7 @@
 #include "mesh/weld.h"
 #include "scene/parts/part_list.h"
 
-enum { FACES_A_CANCEL_CHECK = 1 << 14, VERTICES_A_RANGE = 1 << 12 };
+enum { FACES_PER_CANCEL_CHECK = 1 << 14, VERTICES_PER_RANGE = 1 << 12 };
 
 /* An occurrence of an edge, listed at its lower vertex: the higher vertex, the face, and the direction in bit 0. */
 typedef uint64_t use;
@@ -95,7 +95,7 @@ static void visit_face(struct finding *f, uint32_t face, visit_fn *visit)
 static void visit_faces(struct finding *f, visit_fn *visit)
 {
     for (uint32_t face = 0; face < f->mesh->face_count; face++) {
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(f->cancel)) return;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(f->cancel)) return;
         visit_face(f, face, visit);
     }
 }
@@ -164,7 +164,7 @@ static void find(struct zr_team *team, struct finding *f)
         f->ends[v] = sum += f->ends[v];
     visit_faces(f, put_edge);
     if (zr_is_cancelled(f->cancel)) return;
-    zr_team_ranges(team, f->vertex_count, VERTICES_A_RANGE, check_range, f);
+    zr_team_ranges(team, f->vertex_count, VERTICES_PER_RANGE, check_range, f);
 }
 
 /* Arrays in one allocation, which can be trimmed while it is the newest. Welding and the edge lists share `rest`. */

@@ -6,10 +6,10 @@
 #include "mesh/weld.h"
 #include "mesh/weld_input.h"
 
-enum { FACES_A_RANGE = 1 << 11, VERTICES_A_RANGE = 1 << 10 };
+enum { FACES_PER_RANGE = 1 << 11, VERTICES_PER_RANGE = 1 << 10 };
 
 /* Corners are sorted in chunks, one thread per chunk: more chunks take more memory. */
-enum { CHUNKS_MOST = 4, CORNERS_A_CHUNK = 1 << 14 };
+enum { CHUNKS_MOST = 4, CORNERS_PER_CHUNK = 1 << 14 };
 
 /* Below every cosine: all faces of a group are averaged. */
 #define LEAST_OF_GROUPS (-4.0f)
@@ -158,9 +158,9 @@ static void make_sums(void *context, size_t begin, size_t end)
 
 static uint32_t step_of(float along, float largest)
 {
-    const float half = ZR_CREASE_GROUPS_A_SIDE / 2;
+    const float half = ZR_CREASE_GROUPS_PER_SIDE / 2;
     const uint32_t step = (uint32_t)((along / largest + 1.0f) * half);
-    return step < ZR_CREASE_GROUPS_A_SIDE ? step : ZR_CREASE_GROUPS_A_SIDE - 1;
+    return step < ZR_CREASE_GROUPS_PER_SIDE ? step : ZR_CREASE_GROUPS_PER_SIDE - 1;
 }
 
 /* Returns the square, on the sides of a cube, through which a direction points. */
@@ -171,7 +171,7 @@ static uint32_t group_of(const zr_vec4 *n)
     if (fabsf(n->z) > fabsf(at[axis])) axis = 2;
     const uint32_t side = 2 * (uint32_t)axis + (at[axis] < 0.0f);
     const float largest = fabsf(at[axis]);
-    return (side * ZR_CREASE_GROUPS_A_SIDE + step_of(at[axis + 1], largest)) * ZR_CREASE_GROUPS_A_SIDE +
+    return (side * ZR_CREASE_GROUPS_PER_SIDE + step_of(at[axis + 1], largest)) * ZR_CREASE_GROUPS_PER_SIDE +
            step_of(at[axis + 2], largest);
 }
 
@@ -199,7 +199,7 @@ uint32_t zr_crease_groups(const zr_vec4 *corners, const uint32_t *slots, uint32_
 static uint32_t count_chunks_of(struct zr_team *team, uint32_t corners)
 {
     const uint32_t threads = (uint32_t)zr_team_size(team);
-    if (corners < CORNERS_A_CHUNK) return 1;
+    if (corners < CORNERS_PER_CHUNK) return 1;
     return threads < CHUNKS_MOST ? threads : CHUNKS_MOST;
 }
 
@@ -219,13 +219,13 @@ static float least_cosine(float degrees)
 
 static void make_normals(struct zr_team *team, struct creasing *c)
 {
-    zr_team_ranges(team, c->mesh.face_count, FACES_A_RANGE, make_corners, c);
+    zr_team_ranges(team, c->mesh.face_count, FACES_PER_RANGE, make_corners, c);
     zr_team_ranges(team, c->chunk_count, 1, count_chunks, c);
     sum_counts(c);
     if (zr_is_cancelled(c->cancel)) return;
     zr_team_ranges(team, c->chunk_count, 1, fill_chunks, c);
-    if (c->groups) zr_team_ranges(team, c->mesh.face_count, FACES_A_RANGE, expand_groups, c);
-    zr_team_ranges(team, c->vertex_count, VERTICES_A_RANGE, c->groups ? sum_groups_of_vertices : make_sums, c);
+    if (c->groups) zr_team_ranges(team, c->mesh.face_count, FACES_PER_RANGE, expand_groups, c);
+    zr_team_ranges(team, c->vertex_count, VERTICES_PER_RANGE, c->groups ? sum_groups_of_vertices : make_sums, c);
 }
 
 /* One allocation, so that it can be trimmed as the newest one. Welding and sorting share `rest`. */

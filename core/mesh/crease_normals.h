@@ -50,8 +50,8 @@ struct zr_crease_source {
 
 enum {
     ZR_CREASE_EXACT = 256,
-    ZR_CREASE_GROUPS_A_SIDE = 16, /* directions are grouped by squares on the sides of a cube */
-    ZR_CREASE_GROUPS = 6 * ZR_CREASE_GROUPS_A_SIDE * ZR_CREASE_GROUPS_A_SIDE
+    ZR_CREASE_GROUPS_PER_SIDE = 16, /* directions are grouped by squares on the sides of a cube */
+    ZR_CREASE_GROUPS = 6 * ZR_CREASE_GROUPS_PER_SIDE * ZR_CREASE_GROUPS_PER_SIDE
 };
 
 /* Sums the corners into groups by direction and returns the number of groups. */

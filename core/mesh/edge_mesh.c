@@ -8,7 +8,7 @@
 #include "mesh/cap_rings.h"
 #include "mesh/weld.h"
 
-enum { ITEMS_A_CANCEL_CHECK = 1 << 14, VERTICES_A_RANGE = 1 << 12 };
+enum { ITEMS_PER_CANCEL_CHECK = 1 << 14, VERTICES_PER_RANGE = 1 << 12 };
 
 struct making {
     const struct zr_run *run;
@@ -25,7 +25,7 @@ struct making {
 
 static bool is_due(const struct making *m, size_t i)
 {
-    return i % ITEMS_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->run->cancel);
+    return i % ITEMS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(m->run->cancel);
 }
 
 /* ---- vertices ---- */
@@ -273,14 +273,14 @@ static enum zr_status make_edges(struct making *m, struct zr_edge_mesh *out)
     if (zr_arena_ok(m->run->arena) && zr_arena_ok(&scratch)) {
         list_sides(m);
         if (!zr_is_cancelled(m->run->cancel))
-            zr_team_ranges(m->run->team, m->vertex_count, VERTICES_A_RANGE, sort_lists, m);
+            zr_team_ranges(m->run->team, m->vertex_count, VERTICES_PER_RANGE, sort_lists, m);
         if (!zr_is_cancelled(m->run->cancel)) {
             for (uint32_t v = 0; v < m->vertex_count; v++) {
                 const uint32_t own = m->counts[v];
                 m->counts[v] = out->edge_count;
                 out->edge_count += own;
             }
-            zr_team_ranges(m->run->team, m->vertex_count, VERTICES_A_RANGE, write_edges, m);
+            zr_team_ranges(m->run->team, m->vertex_count, VERTICES_PER_RANGE, write_edges, m);
             m->edges[out->edge_count] = (struct zr_mesh_edge){.first_side = (uint32_t)sides};
         }
     }

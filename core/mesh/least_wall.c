@@ -3,8 +3,8 @@
 enum {
     STACK = 64,      /* more than the depth of a tree */
     POLYGON_MAX = 9, /* corners while a triangle is clipped by three lines */
-    STEPS_A_CANCEL_CHECK = 1 << 12,
-    STEPS_A_PAIR = 8,
+    STEPS_PER_CANCEL_CHECK = 1 << 12,
+    STEPS_PER_PAIR = 8,
     PROBE_FIRST = 64, /* every 64th leaf is searched first, for an early bound */
     SMALL = 1 << 16,  /* bytes; smaller solids get blocks of SMALL_UNIT, so that the system clears fewer pages */
     SMALL_UNIT = 1 << 12
@@ -48,7 +48,7 @@ static bool has_steps(struct search *s, uint32_t steps)
     s->steps += steps;
     if (s->steps > s->steps_most) s->is_stopped = true;
     if (s->steps >= s->next_look) {
-        s->next_look = s->steps + STEPS_A_CANCEL_CHECK;
+        s->next_look = s->steps + STEPS_PER_CANCEL_CHECK;
         if (zr_is_cancelled(s->cancel)) s->is_stopped = true;
     }
     return !s->is_stopped;
@@ -365,7 +365,7 @@ static void search_leaves(struct search *s, uint32_t near, uint32_t far)
             if (!has_place[k]) zr_wall_solid_places(solid, other, b[k]);
             has_own = has_place[k] = true;
             if (!is_better(s, distance_of_plane(a, b[k], m))) continue;
-            if (!has_steps(s, STEPS_A_PAIR)) return;
+            if (!has_steps(s, STEPS_PER_PAIR)) return;
             if (make_pair(s, order[i], other, a, b[k], &pair) && is_wall(s, &pair)) s->best = pair.thickness;
         }
     }

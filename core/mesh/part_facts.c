@@ -206,7 +206,7 @@ static size_t list_tasks(const struct measuring *m, struct task *tasks)
         const struct sorted_mesh *sorted = &m->meshes[part->mesh];
         const uint32_t end = end_of(sorted, &m->scene->meshes[part->mesh], part->number);
         for (uint32_t at = begin_of(sorted, part->number), left; at < end; at += left, count++) {
-            left = end - at < ZR_FACES_A_TASK ? end - at : ZR_FACES_A_TASK;
+            left = end - at < ZR_FACES_PER_TASK ? end - at : ZR_FACES_PER_TASK;
             if (tasks) tasks[count] = (struct task){.part = p, .begin = at, .end = at + left};
         }
     }
@@ -219,18 +219,18 @@ static size_t list_tasks(const struct measuring *m, struct task *tasks)
 static void sort_faces(struct zr_arena *arena, const struct zr_mesh *mesh, const struct zr_cancel *cancel,
                        struct sorted_mesh *out)
 {
-    enum { FACES_A_CANCEL_CHECK = 1 << 16 };
+    enum { FACES_PER_CANCEL_CHECK = 1 << 16 };
     uint32_t *ends = zr_arena_zero(arena, mesh->part_count, sizeof *ends);
     uint32_t *faces = zr_arena_alloc(arena, mesh->face_count, sizeof *faces);
     if (!ends || !faces) return;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
-        if (f % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
+        if (f % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         ends[mesh->face_parts[f]]++;
     }
     for (uint32_t p = 1; p < mesh->part_count; p++)
         ends[p] += ends[p - 1];
     for (uint32_t f = mesh->face_count; f-- > 0;) {
-        if (f % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
+        if (f % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         faces[--ends[mesh->face_parts[f]]] = f;
     }
     for (uint32_t p = 0; p + 1 < mesh->part_count; p++) /* begins to ends */
@@ -293,18 +293,18 @@ static void add_vertex(const struct zr_material *material, const zr_mat4 *matrix
 /* Adds the lines and points of a mesh that is one part. Returns the number of colours in sums->plain_color. */
 static uint64_t add_vertices(const struct measuring *m, const struct zr_part *part, struct sums *sums)
 {
-    enum { VERTICES_A_CANCEL_CHECK = 1 << 14 };
+    enum { VERTICES_PER_CANCEL_CHECK = 1 << 14 };
     const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
     const struct zr_material *material = &m->scene->materials[mesh->material];
     const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
     uint64_t count = 0;
     if (mesh->face_parts) return sums->faces;
     for (uint32_t i = 0; i < 2 * mesh->line_count; i++) {
-        if (i % VERTICES_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return 1;
+        if (i % VERTICES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return 1;
         add_vertex(material, matrix, mesh, mesh->lines[i], sums, &count);
     }
     for (uint32_t i = 0; i < mesh->point_count; i++) {
-        if (i % VERTICES_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return 1;
+        if (i % VERTICES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return 1;
         add_vertex(material, matrix, mesh, mesh->points[i], sums, &count);
     }
     return sums->faces + count;

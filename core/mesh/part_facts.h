@@ -7,7 +7,7 @@
  *         mean of the pyramids' centroids, weighted by their volumes.
  * Wall:   by mesh/least_wall.h. The parts share ZR_WALL_STEPS_MIN steps, and ZR_WALL_STEPS for each of their faces.
  * Lost:   a face with a corner beyond the range of float has no area. A part with such a face is not closed.
- * Exact:  each task of ZR_FACES_A_TASK faces has separate sums, which are added in order. The results are therefore the
+ * Exact:  each task of ZR_FACES_PER_TASK faces has separate sums, which are added in order. The results are therefore the
  *         same for all numbers of threads and instruction sets.
  */
 #ifndef ZR_PART_FACTS_H
@@ -21,7 +21,7 @@
 #include "mesh/shells.h"
 #include "scene/parts/part_list.h"
 
-enum { ZR_FACES_A_TASK = 4096 };
+enum { ZR_FACES_PER_TASK = 4096 };
 
 /* Steps of the search for least walls (mesh/least_wall.h): for all parts together, and for each of their faces. */
 enum { ZR_WALL_STEPS_MIN = 1 << 23, ZR_WALL_STEPS = 48 };
@@ -41,7 +41,7 @@ struct zr_part_facts {
                       lines and points */
 };
 
-/* Fills in facts[0 .. parts->count - 1]. Leaves up to 4 bytes per face, and one task per ZR_FACES_A_TASK faces, in the
+/* Fills in facts[0 .. parts->count - 1]. Leaves up to 4 bytes per face, and one task per ZR_FACES_PER_TASK faces, in the
  * arena. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_part_facts_find(const struct zr_run *run, const struct zr_scene *scene,
                                   const struct zr_part_list *parts, struct zr_part_facts *facts);

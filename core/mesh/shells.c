@@ -7,14 +7,14 @@
 /* Precision of coordinates, relative to the largest one. */
 #define PRECISION 0x1p-22
 
-enum { FACES_A_CANCEL_CHECK = 1 << 14 };
+enum { FACES_PER_CANCEL_CHECK = 1 << 14 };
 
 /* ---- the forest ---- */
 
 void zr_shell_forest_clear(const struct zr_shell_forest *forest, const struct zr_cancel *cancel)
 {
     for (uint32_t face = 0; face < forest->mesh->face_count; face++) {
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         atomic_init(&forest->parents[face], UINT32_MAX);
         atomic_init(&forest->is_open[face], 0);
     }
@@ -65,7 +65,7 @@ static bool is_open(const struct zr_shell_forest *forest, uint32_t shell)
 static bool find_roots(const struct zr_shell_forest *forest, const struct zr_cancel *cancel, double *volumes)
 {
     for (uint32_t face = 0; face < forest->mesh->face_count; face++) {
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         volumes[2 * (size_t)face] = volumes[2 * (size_t)face + 1] = 0.0;
         if (shell_of(forest, face) == UINT32_MAX) continue;
         const uint32_t root = root_of(forest, face);
@@ -116,11 +116,11 @@ void zr_shells_count(const struct zr_shell_forest *forest, const struct zr_cance
     if (!find_roots(forest, cancel, volumes)) return;
     for (uint32_t face = 0; face < mesh->face_count; face++) {
         const uint32_t shell = shell_of(forest, face);
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         if (shell != UINT32_MAX && !is_open(forest, shell)) add_face(mesh, face, shell, volumes + 2 * (size_t)shell);
     }
     for (uint32_t face = 0; face < mesh->face_count; face++) {
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         if (shell_of(forest, face) != face) continue;
         struct zr_shells *part = &shells[mesh->face_parts ? mesh->face_parts[face] : 0];
         const double volume = volumes[2 * (size_t)face], area = volumes[2 * (size_t)face + 1];

@@ -11,7 +11,7 @@ enum { FACES_AT_ONCE = 1 << 14 };
 /* Up to this number, one thread adds all faces: each thread has to read every face. */
 enum { FACES_ALONE = 1 << 12 };
 
-enum { FACES_A_RANGE = 1 << 11, VERTICES_A_RANGE = 1 << 13 };
+enum { FACES_PER_RANGE = 1 << 11, VERTICES_PER_RANGE = 1 << 13 };
 
 struct summing {
     const struct zr_mesh *mesh;
@@ -91,10 +91,10 @@ static zr_vec4 *make(const struct zr_run *run, const struct zr_mesh *mesh)
     for (; s.first < mesh->face_count && !zr_is_cancelled(run->cancel); s.first += s.count) {
         const uint32_t left = mesh->face_count - s.first;
         s.count = left < at_once ? left : at_once;
-        zr_team_ranges(run->team, s.count, FACES_A_RANGE, make_faces, &s);
+        zr_team_ranges(run->team, s.count, FACES_PER_RANGE, make_faces, &s);
         zr_team_ranges(run->team, s.part_count, 1, add_parts, &s);
     }
-    zr_team_ranges(run->team, mesh->position_count, VERTICES_A_RANGE, normalize, &s);
+    zr_team_ranges(run->team, mesh->position_count, VERTICES_PER_RANGE, normalize, &s);
     return s.sums;
 }
 

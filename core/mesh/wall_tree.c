@@ -2,7 +2,7 @@
 
 #include "mesh/closed_parts.h"
 
-enum { DIGIT = 10, DIGITS = 1 << DIGIT, ITEMS_A_CANCEL_CHECK = 1 << 14, NORMAL_BITS = 8 };
+enum { DIGIT = 10, DIGITS = 1 << DIGIT, ITEMS_PER_CANCEL_CHECK = 1 << 14, NORMAL_BITS = 8 };
 
 /* Arrays that are filled in. */
 struct making {
@@ -15,7 +15,7 @@ struct making {
 
 static bool is_due(const struct making *m, size_t i)
 {
-    return i % ITEMS_A_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel);
+    return i % ITEMS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel);
 }
 
 void zr_wall_solid_places(const struct zr_wall_solid *solid, uint32_t triangle, struct zr_world_place out[3])

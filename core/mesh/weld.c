@@ -2,7 +2,7 @@
 
 #include "base/prefetch.h"
 
-enum { POSITIONS_A_PART = 1 << 13, POSITIONS_A_RANGE = 1 << 12 };
+enum { POSITIONS_PER_PART = 1 << 13, POSITIONS_PER_RANGE = 1 << 12 };
 
 /* Positions looked up while memory for the next block is prefetched. Without this, the three million corners of a
  * million triangles took two thirds longer. */
@@ -248,15 +248,15 @@ uint32_t zr_weld_make(struct zr_team *team, const struct zr_cancel *cancel, cons
         .isa = zr_team_isa(team),
         .grid = {input->low, tolerance > 0.0f ? 1.0f / (ZR_WELD_CELL_TOLERANCES * tolerance) : 0.0f},
         .square = tolerance * tolerance,
-        .part_count = input->count < POSITIONS_A_PART ? 1 : most,
+        .part_count = input->count < POSITIONS_PER_PART ? 1 : most,
         .cells = (uint32_t *)(void *)(room + zr_weld_slots(input->count)),
         .firsts = vertices,
     };
-    zr_team_ranges(team, input->count, POSITIONS_A_RANGE, find_cells, &w);
+    zr_team_ranges(team, input->count, POSITIONS_PER_RANGE, find_cells, &w);
     zr_team_ranges(team, w.part_count, 1, count_part, &w);
     place_tables(&w, room);
     zr_team_ranges(team, w.part_count, 1, weld_part, &w);
     if (zr_is_cancelled(cancel)) return 0;
-    zr_team_ranges(team, input->count, POSITIONS_A_RANGE, join_range, &w);
+    zr_team_ranges(team, input->count, POSITIONS_PER_RANGE, join_range, &w);
     return number(vertices, input->count);
 }

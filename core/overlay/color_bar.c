@@ -47,7 +47,7 @@ enum {
 };
 
 /* Sizes that grow with the window: rows per dot; margins and bar widths per side of the window. */
-enum { HEIGHT_A_DOT = 320, MARGINS_A_SIDE = 32, BAR_WIDTHS_A_SIDE = 20 };
+enum { HEIGHT_PER_DOT = 320, MARGINS_PER_SIDE = 32, BAR_WIDTHS_PER_SIDE = 20 };
 
 /* Least distance of ticks, and its largest value that fits, as shares of the range. */
 #define TICKS_APART     0.125
@@ -85,7 +85,7 @@ static void place_title(struct zr_color_bar_layout *l, const char *title, bool i
 static bool lay_out(const struct zr_color_bar *bar, const struct zr_color_scale *scale, int32_t width, int32_t height,
                     int32_t dot, struct zr_color_bar_layout *l)
 {
-    const int32_t margin = zr_greater(MARGIN * dot, zr_lesser(width, height) / MARGINS_A_SIDE), line = (dot + 1) / 2;
+    const int32_t margin = zr_greater(MARGIN * dot, zr_lesser(width, height) / MARGINS_PER_SIDE), line = (dot + 1) / 2;
     const int32_t title = bar->title && *bar->title ? (TITLE_GAP + ZR_GLYPH_CAPITAL_ROWS) * dot : 0;
     const int32_t rows = zr_lesser(height * 7 / 10, height - 2 * (margin + 4 * dot) - title);
     if (rows * TICKS_APART_MAX < LABELS_APART * dot) return false;
@@ -96,7 +96,7 @@ static bool lay_out(const struct zr_color_bar *bar, const struct zr_color_scale 
         .line = line,
         .tick_width = TICK * dot,
         .ticks = zr_ticks_make(scale->low, scale->high, apart > TICKS_APART ? apart : TICKS_APART, scale->is_given)};
-    const int32_t bar_width = zr_greater(BAR_WIDTH * dot, zr_lesser(rows, width) / BAR_WIDTHS_A_SIDE);
+    const int32_t bar_width = zr_greater(BAR_WIDTH * dot, zr_lesser(rows, width) / BAR_WIDTHS_PER_SIDE);
     const int32_t taken = 2 * line + bar_width + (TICK + GAP + label_width(&l->ticks)) * dot;
     if (taken + 2 * margin > width / 2) return false;
     const int32_t x = bar->is_left ? margin : width - margin - taken;
@@ -115,7 +115,7 @@ bool zr_color_bar_lay_out(const struct zr_color_bar *bar, const struct zr_color_
     enum { SIDE_MAX = 1 << 16 }; /* larger windows are refused, but after this call */
     const int32_t columns = (int32_t)(width < SIDE_MAX ? width : SIDE_MAX);
     const int32_t rows = (int32_t)(height < SIDE_MAX ? height : SIDE_MAX);
-    for (int32_t dot = zr_greater((rows + HEIGHT_A_DOT / 2) / HEIGHT_A_DOT, 1); dot >= 1; dot--)
+    for (int32_t dot = zr_greater((rows + HEIGHT_PER_DOT / 2) / HEIGHT_PER_DOT, 1); dot >= 1; dot--)
         if (lay_out(bar, scale, columns, rows, dot, out)) return true;
     return false;
 }

@@ -11,7 +11,7 @@
 #include "raster/point.h"
 
 /* Triangles, or edges and triangles of shapes, between two checks for cancellation: less than a millisecond. */
-enum { PARTS_A_CANCEL_CHECK = 1024 };
+enum { PARTS_PER_CANCEL_CHECK = 1024 };
 
 /* Number of blocks of fragments, or of small triangles, from which on a tile keeps early colours. Fewer pixels are
  * shaded faster than stored and merged; fewer small triangles are larger than stamps. An estimate that affects time
@@ -73,7 +73,7 @@ static bool draw_wide_ones(const struct zr_binned_scene *binned, uint32_t number
     struct candidates candidates;
     candidates.count = 0;
     for (uint32_t i = 0; i < bins->large_count; i++) {
-        if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (i % PARTS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         add_candidate(binned, bins->large[i], &candidates, tile);
     }
     for (int i = 0; i < bins->worker_count; i++)
@@ -114,7 +114,7 @@ static void draw_fragments(const struct zr_binned_scene *binned, const struct zr
 }
 
 /* If blocks are full, a whole number of groups for any instruction set. */
-enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
+enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_PER_BLOCK };
 
 /* Draws small triangles to the tile or to its lists. Numbers from all lists are collected in one array, so that the
  * kernel has whole groups and can prefetch. */
@@ -158,7 +158,7 @@ static bool list_wide_ones(const struct zr_binned_scene *binned, const struct zr
                            const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     for (uint32_t i = 0; i < bins->large_count; i++) {
-        if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (i % PARTS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         list_wide(binned, bins->large[i], tile);
     }
     for (int i = 0; i < bins->worker_count; i++)
@@ -241,10 +241,10 @@ static bool draw_list(const struct zr_binned_scene *binned, const uint32_t *misc
                       const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     const struct zr_draw *draw = &binned->geometry->draws[0];
-    uint64_t parts = PARTS_A_CANCEL_CHECK;
+    uint64_t parts = PARTS_PER_CANCEL_CHECK;
     for (size_t i = 0; i < count; i++) {
         draw = zr_draw_next(binned->geometry, draw, misc[i]);
-        if (parts >= PARTS_A_CANCEL_CHECK) {
+        if (parts >= PARTS_PER_CANCEL_CHECK) {
             if (zr_is_cancelled(cancel)) return false;
             parts = 0;
         }

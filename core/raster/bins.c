@@ -5,9 +5,9 @@
 #include "geometry/face.h"
 #include "geometry/geometry.h"
 
-enum { TRIANGLES_A_RANGE = 4096, BYTES_AT_ONCE = 1 << 16 };
-_Static_assert(TRIANGLES_A_RANGE < 1 << ZR_BIN_OWNER_BITS, "owners of a range fit a fragment");
-_Static_assert(TRIANGLES_A_RANGE % 32 == 0, "no two threads write to one word of a draw's backs");
+enum { TRIANGLES_PER_RANGE = 4096, BYTES_AT_ONCE = 1 << 16 };
+_Static_assert(TRIANGLES_PER_RANGE < 1 << ZR_BIN_OWNER_BITS, "owners of a range fit a fragment");
+_Static_assert(TRIANGLES_PER_RANGE % 32 == 0, "no two threads write to one word of a draw's backs");
 
 /* ---- lists ---- */
 
@@ -78,7 +78,7 @@ static bool cut_to_window(const struct zr_bins *bins, int32_t box[4])
 static void add_wide(struct zr_binner *binner, struct zr_bin *bin, const struct zr_wide *wide)
 {
     struct zr_bin_wides *block =
-        (struct zr_bin_wides *)zr_binner_room(binner, bin, ZR_BIN_WIDE_A_BLOCK - 1, sizeof *block);
+        (struct zr_bin_wides *)zr_binner_room(binner, bin, ZR_BIN_WIDE_PER_BLOCK - 1, sizeof *block);
     if (block) block->items[block->head.used++] = wide;
 }
 
@@ -152,7 +152,7 @@ static bool make_shares(struct sorting *s)
     const struct zr_geometry *geometry = s->bins->geometry;
     size_t count = 0;
     for (uint32_t i = 0; i < geometry->draw_count; i++)
-        if (is_wanted(s->bins, &geometry->draws[i])) count += (geometry->draws[i].count - 1) / TRIANGLES_A_RANGE + 1;
+        if (is_wanted(s->bins, &geometry->draws[i])) count += (geometry->draws[i].count - 1) / TRIANGLES_PER_RANGE + 1;
     s->shares = zr_arena_alloc(s->bins->arena, count, sizeof *s->shares);
     if (!s->shares) return false;
     for (uint32_t i = 0; i < geometry->draw_count; i++) {
@@ -160,9 +160,9 @@ static bool make_shares(struct sorting *s)
         if (!is_wanted(s->bins, draw)) continue;
         s->bins->has_words |= s->bins->prepaints && s->bins->prepaints[i].make;
         s->triangle_count += draw->count;
-        for (uint32_t begin = 0; begin < draw->count; begin += TRIANGLES_A_RANGE) {
+        for (uint32_t begin = 0; begin < draw->count; begin += TRIANGLES_PER_RANGE) {
             uint32_t left = draw->count - begin;
-            uint32_t end = begin + (left < TRIANGLES_A_RANGE ? left : TRIANGLES_A_RANGE);
+            uint32_t end = begin + (left < TRIANGLES_PER_RANGE ? left : TRIANGLES_PER_RANGE);
             s->shares[s->share_count++] = (struct share){draw, begin, end};
         }
     }
@@ -203,7 +203,7 @@ static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel
     if (sorting.share_count == 0) return ZR_OK; /* no need to wake threads */
     bins->fragments_size = bins->has_words ? sizeof(struct zr_bin_fragments) : offsetof(struct zr_bin_fragments, words);
     /* Few triangles are binned before a thread is awake (a fifth of a cube's time on two threads). */
-    if (sorting.triangle_count <= TRIANGLES_A_RANGE) team = NULL;
+    if (sorting.triangle_count <= TRIANGLES_PER_RANGE) team = NULL;
     bins->worker_count = zr_team_size(team);
     if ((uint32_t)bins->worker_count > sorting.share_count) bins->worker_count = (int)sorting.share_count;
     if (!make_workers(bins)) return ZR_NO_MEMORY;

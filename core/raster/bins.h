@@ -22,11 +22,11 @@
 #include "raster/tile.h"
 
 enum {
-    ZR_BIN_VECTOR = 16,          /* maximum number of lanes */
-    ZR_BIN_NUMBERS_A_BLOCK = 60, /* fills a block of 256 bytes */
-    ZR_BIN_WIDE_A_BLOCK = 6,     /* fills a block of 64 bytes */
-    ZR_BIN_FRAGMENTS_A_BLOCK = 112,
-    ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_VECTOR, /* the last vector is stored whole */
+    ZR_BIN_VECTOR = 16,            /* maximum number of lanes */
+    ZR_BIN_NUMBERS_PER_BLOCK = 60, /* fills a block of 256 bytes */
+    ZR_BIN_WIDE_PER_BLOCK = 6,     /* fills a block of 64 bytes */
+    ZR_BIN_FRAGMENTS_PER_BLOCK = 112,
+    ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_PER_BLOCK + ZR_BIN_VECTOR, /* the last vector is stored whole */
     ZR_BIN_OWNER_BITS = 19,
     ZR_BIN_TILES = 16,           /* maximum number of tiles in which a wide triangle is listed */
     ZR_BIN_SMALL_SPAN = 64 * 256 /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
@@ -46,7 +46,7 @@ struct zr_bin {
 /* Small triangles, by number. */
 struct zr_bin_numbers {
     struct zr_bin_head head;
-    uint32_t numbers[ZR_BIN_NUMBERS_A_BLOCK];
+    uint32_t numbers[ZR_BIN_NUMBERS_PER_BLOCK];
 };
 
 struct zr_wide {
@@ -56,7 +56,7 @@ struct zr_wide {
 
 struct zr_bin_wides {
     struct zr_bin_head head;
-    const struct zr_wide *items[ZR_BIN_WIDE_A_BLOCK];
+    const struct zr_wide *items[ZR_BIN_WIDE_PER_BLOCK];
 };
 
 /* Fragments of tiny triangles, with depths below 1. */
@@ -140,7 +140,7 @@ static inline struct zr_bin_head *zr_binner_room(struct zr_binner *binner, struc
 /* Returns a block with room for one number, or NULL. */
 static inline struct zr_bin_numbers *zr_binner_numbers(struct zr_binner *binner, struct zr_bin *bin)
 {
-    return (struct zr_bin_numbers *)zr_binner_room(binner, bin, ZR_BIN_NUMBERS_A_BLOCK - 1,
+    return (struct zr_bin_numbers *)zr_binner_room(binner, bin, ZR_BIN_NUMBERS_PER_BLOCK - 1,
                                                    sizeof(struct zr_bin_numbers));
 }
 
@@ -150,7 +150,7 @@ static inline struct zr_bin_fragments *zr_binner_fragments(struct zr_binner *bin
                                                            uint32_t last)
 {
     struct zr_bin_fragments *block = (struct zr_bin_fragments *)bin->last;
-    if (__builtin_expect(block && block->head.used <= ZR_BIN_FRAGMENTS_A_BLOCK && first >= block->first_owner &&
+    if (__builtin_expect(block && block->head.used <= ZR_BIN_FRAGMENTS_PER_BLOCK && first >= block->first_owner &&
                              last - block->first_owner < 1u << ZR_BIN_OWNER_BITS,
                          1))
         return block;

@@ -1,7 +1,7 @@
 #include "raster/fragments.h"
 
 /* For the lists of a whole window: takes some milliseconds at the first access to their memory. */
-enum { PLACES_A_CANCEL_CHECK = 1 << 20 };
+enum { PLACES_PER_CANCEL_CHECK = 1 << 20 };
 
 static void *take(struct zr_arena *arena, pthread_mutex_t *lock, size_t count, size_t size)
 {
@@ -36,7 +36,7 @@ bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, stru
 {
     uint64_t total = 0;
     for (uint32_t i = 0; i < fragments->places; i++) {
-        if (i % PLACES_A_CANCEL_CHECK == PLACES_A_CANCEL_CHECK - 1 && zr_is_cancelled(arena->cancel)) return false;
+        if (i % PLACES_PER_CANCEL_CHECK == PLACES_PER_CANCEL_CHECK - 1 && zr_is_cancelled(arena->cancel)) return false;
         const uint32_t count = fragments->ends[i + 1];
         fragments->ends[i] = (uint32_t)total; /* next key of list i: at first its start */
         total += count;
@@ -64,22 +64,22 @@ static void sort(uint64_t *keys, uint32_t count)
 
 /* Checks for cancellation once per this many fragments; short lists take little time, and a long one is followed by a
  * check. */
-enum { FRAGMENTS_A_CANCEL_CHECK = 1 << 16 };
+enum { FRAGMENTS_PER_CANCEL_CHECK = 1 << 16 };
 
 void zr_fragments_sort(const struct zr_cancel *cancel, struct zr_fragments *fragments)
 {
     uint32_t next = 0;
     for (uint32_t end = fragments->places; end > 0;) {
-        const uint32_t count = end % PLACES_A_CANCEL_CHECK ? end % PLACES_A_CANCEL_CHECK : PLACES_A_CANCEL_CHECK;
+        const uint32_t count = end % PLACES_PER_CANCEL_CHECK ? end % PLACES_PER_CANCEL_CHECK : PLACES_PER_CANCEL_CHECK;
         end -= count;
         memmove(fragments->ends + end + 1, fragments->ends + end, count * sizeof *fragments->ends);
-        if (count == PLACES_A_CANCEL_CHECK && zr_is_cancelled(cancel)) return;
+        if (count == PLACES_PER_CANCEL_CHECK && zr_is_cancelled(cancel)) return;
     }
     fragments->ends[0] = 0;
     for (uint32_t i = 0; i < fragments->places; i++) {
         if (fragments->ends[i] >= next) {
             if (zr_is_cancelled(cancel)) return;
-            next = fragments->ends[i] + FRAGMENTS_A_CANCEL_CHECK;
+            next = fragments->ends[i] + FRAGMENTS_PER_CANCEL_CHECK;
         }
         sort(fragments->keys + fragments->ends[i], fragments->ends[i + 1] - fragments->ends[i]);
     }

@@ -4,7 +4,7 @@
 #include "raster/line_draw.h"
 #include "raster/primitive.h"
 
-enum { PRIMITIVES_A_CANCEL_CHECK = 4096 };
+enum { PRIMITIVES_PER_CANCEL_CHECK = 4096 };
 
 /* State of two passes: without `entries` they are counted, with `entries` stored. */
 struct binning {
@@ -80,7 +80,7 @@ static bool add_all(struct binning *b, const struct zr_cancel *cancel)
             b->number = b->draw->first + b->draw->count;
             continue;
         }
-        if (b->count++ % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (b->count++ % PRIMITIVES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         if (zr_draw_is_of_lines(b->draw))
             add_line(b);
         else

@@ -2,7 +2,7 @@
 
 #include "base/mutant.h"
 
-enum { ROWS_A_RANGE = 8 };
+enum { ROWS_PER_RANGE = 8 };
 
 /* ((b + 1/2) / 16 - 1/2) / 255 for b of the ordered 4 x 4 pattern of Bayer, repeated. */
 #define MOVED(b)            (((b) + 0.5f) / 16.0f - 0.5f) / 255.0f
@@ -74,5 +74,5 @@ void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *desc, co
     zr_decode_of(rows.isa)((const float[3]){top.x, top.y, top.z}, rows.top);
     zr_decode_of(rows.isa)((const float[3]){bottom.x, bottom.y, bottom.z}, rows.bottom);
     zr_decode_of(rows.isa)((const float[3]){ink.x, ink.y, ink.z}, rows.ink_color);
-    zr_team_ranges(team, desc->light->height, ROWS_A_RANGE, finish_range, &rows);
+    zr_team_ranges(team, desc->light->height, ROWS_PER_RANGE, finish_range, &rows);
 }

@@ -6,7 +6,7 @@
 #include "scene/channels.h"
 #include "scene/scene_edit.h"
 
-enum { BUCKETS = 64, NONE = 0, ROWS_A_RANGE = 16 };
+enum { BUCKETS = 64, NONE = 0, ROWS_PER_RANGE = 16 };
 
 /* Pixels of one instance in one tile. */
 struct block {
@@ -308,7 +308,7 @@ static enum zr_status join(const struct zr_run *run, const struct zr_scene *scen
     if (!walk_blocks(&j, measure)) return ZR_CANCELLED;
     if (!make_bits(&j, run->arena)) return ZR_NO_MEMORY;
     if (zr_is_cancelled(d->cancel) || !walk_blocks(&j, copy)) return ZR_CANCELLED;
-    zr_team_ranges(run->team, d->frame->height, ROWS_A_RANGE, mark_visible, &j);
+    zr_team_ranges(run->team, d->frame->height, ROWS_PER_RANGE, mark_visible, &j);
     for (uint32_t i = 0; i < j.count && !zr_is_cancelled(d->cancel); i++)
         measure_visible(&j.masks[i]);
     *out = (struct zr_instance_masks){j.count, j.masks};

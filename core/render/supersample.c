@@ -11,7 +11,7 @@
 #include "shade/paint.h"
 
 /* Tiles per claim, as in tiles.c. */
-enum { TILES_A_RANGE = 2 };
+enum { TILES_PER_RANGE = 2 };
 
 /* State shared by the threads. */
 struct drawing {
@@ -229,7 +229,7 @@ static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_fr
     d->paint = zr_paint_of(d->isa);
     d->averages = zr_averages_of(d->isa);
     d->frame = frame;
-    zr_team_ranges(team, zr_tile_count(frame->width * side, frame->height * side), TILES_A_RANGE, draw_range, d);
+    zr_team_ranges(team, zr_tile_count(frame->width * side, frame->height * side), TILES_PER_RANGE, draw_range, d);
     if (zr_is_cancelled(d->cancel)) return ZR_CANCELLED;
     if (d->pass->tiles.layers && !zr_arena_ok(d->pass->tiles.layers->arena)) return ZR_NO_MEMORY;
     frame->covered_samples = d->covered;

@@ -9,7 +9,7 @@
 
 /* Tiles per claim. A claim waits for all earlier stores, so claims of single tiles take longer (3 % of the bunny at
  * 512x512 on two threads). */
-enum { TILES_A_RANGE = 2 };
+enum { TILES_PER_RANGE = 2 };
 
 /* Up to this many tiles, one thread draws all: waking a helper takes longer than it saves. */
 enum { TILES_ALONE = 16 };
@@ -84,7 +84,7 @@ enum zr_status zr_tiles_draw(const struct zr_run *run, const struct zr_tile_sour
                               .cancel = run->cancel,
                               .occupied = zr_arena_alloc(run->arena, count, 1)};
     if (!drawing.occupied) return ZR_NO_MEMORY;
-    zr_team_ranges(count > TILES_ALONE ? run->team : NULL, count, TILES_A_RANGE, draw_range, &drawing);
+    zr_team_ranges(count > TILES_ALONE ? run->team : NULL, count, TILES_PER_RANGE, draw_range, &drawing);
     if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     zr_frame_find_spans(frame, drawing.occupied);

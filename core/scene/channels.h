@@ -63,7 +63,7 @@ enum zr_values {
         ZR_ENCODING_JSON)                                                                                              \
     ROW(MASKS, "masks", "pixels of each instance, drawn alone and visible", NONE, 0, ZERO, false, 0, ZR_ENCODING_ZIP,  \
         ZR_ENCODING_JSON)                                                                                              \
-    /* scene/camera/flow.h */                                                                                                 \
+    /* scene/camera/flow.h */                                                                                          \
     ROW(FLOW, "flow",                                                                                                  \
         "motion of the visible point to another view or pose, in pixels, and whether it is visible there", FLOAT32, 3, \
         NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                              \

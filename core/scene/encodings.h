@@ -31,8 +31,7 @@ enum {
         PNG_PIXEL, "PNG of 16 bits per pixel: depth / scale, rounded")                                                 \
     ROW(PNG32, "png32", "png", "", "image/png", "a PNG", 0, 0, PNG_PIXEL,                                              \
         "PNG that is always RGBA, without a palette")                                                                  \
-    ROW(NPY, "npy", "npy", "", "application/x-npy", "an array (NPY)", 0, 0, NONE,                                      \
-        "array of NumPy, float32 or uint32")                                                                           \
+    ROW(NPY, "npy", "npy", "", "application/x-npy", "an array (NPY)", 0, 0, NONE, "array of NumPy, float32 or uint32") \
     ROW(JSON, "json", "json", "", "application/json", "JSON", ZR_ENCODING_BY_ENDING, 0, NONE, "JSON text")             \
     ROW(SVG, "svg", "svg", "", "image/svg+xml", "an SVG", ZR_ENCODING_BY_ENDING, 0, NONE,                              \
         "lines of the mesh as paths, without pixels")                                                                  \

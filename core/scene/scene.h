@@ -254,13 +254,14 @@ enum zr_compress { ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL, ZR_COMPRESS_COUNT };
 /* An existing picture, from zraster or elsewhere, that the scene is drawn into: arrays of width * height, row 0 on top.
  * NULL stands for an uncovered array; zr_scene_validate refuses it if an output needs that channel. */
 struct zr_base {
-    const uint8_t *color;      /* RGBA, 4 bytes per pixel */
-    const float *window_depth; /* the z-buffer, 0..1, 1 if uncovered; NULL: made from depth (scene/camera/resolved_view.h) */
-    const float *depth;        /* eye-space depth, scene units, +inf if uncovered */
-    const uint32_t *face_id;   /* 0 if uncovered */
-    bool scene_wins_ties;      /* at equal depth the scene is visible, else the base */
-    uint32_t first_face_id;    /* of the scene's geometry; at least 1 */
-    uint64_t clamped_depths;   /* values of a window_depth made from depth that were in front of near or beyond far */
+    const uint8_t *color; /* RGBA, 4 bytes per pixel */
+    const float
+        *window_depth;  /* the z-buffer, 0..1, 1 if uncovered; NULL: made from depth (scene/camera/resolved_view.h) */
+    const float *depth; /* eye-space depth, scene units, +inf if uncovered */
+    const uint32_t *face_id; /* 0 if uncovered */
+    bool scene_wins_ties;    /* at equal depth the scene is visible, else the base */
+    uint32_t first_face_id;  /* of the scene's geometry; at least 1 */
+    uint64_t clamped_depths; /* values of a window_depth made from depth that were in front of near or beyond far */
 };
 
 enum { ZR_VIEWS_MOST = 1 };
@@ -323,7 +324,8 @@ struct zr_scene {
     const struct zr_flow *flow;               /* target of the channel flow; NULL: the scene's own view */
     const struct zr_mesh_tables *tables;      /* shared by several views; NULL: none */
     const struct zr_known_parts *known_parts; /* likewise; NULL: none */
-    bool has_box; /* a reader has found the bounds, box_min and box_max; zr_bounds_of (scene/camera/camera.h) returns them */
+    bool
+        has_box; /* a reader has found the bounds, box_min and box_max; zr_bounds_of (scene/camera/camera.h) returns them */
     zr_vec3 box_min, box_max;
     const struct zr_base *base; /* NULL: none */
     uint32_t image_count;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* A fifth of a millisecond of work, more than the time to wake a thread. */
-enum { INDICES_A_RANGE = 1 << 18 };
+enum { INDICES_PER_RANGE = 1 << 18 };
 
 struct marking {
     const uint32_t *indices;
@@ -30,7 +30,7 @@ const uint8_t *zr_used_positions(struct zr_arena *arena, struct zr_team *team, c
                  {mesh->points, mesh->point_count}};
     for (size_t i = 0; marking.used && i < sizeof lists / sizeof *lists; i++) {
         marking.indices = lists[i].indices;
-        zr_team_ranges(team, lists[i].count, INDICES_A_RANGE, mark_range, &marking);
+        zr_team_ranges(team, lists[i].count, INDICES_PER_RANGE, mark_range, &marking);
     }
     return (const uint8_t *)marking.used;
 }

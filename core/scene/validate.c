@@ -214,8 +214,8 @@ static void check_formats(const struct zr_scene *scene, const struct zr_view *vi
         snprintf(pointer, sizeof pointer, "/outputs/%" PRIu32 "/encoding", i);
         if (row->side_max > 0 && side > row->side_max)
             zr_error_add(error, ZR_BAD_SCENE, pointer,
-                         "a %s has up to %" PRIu32 " pixels per side, and the window is %" PRIu32 "x%" PRIu32, row->word,
-                         row->side_max, view->width, view->height);
+                         "a %s has up to %" PRIu32 " pixels per side, and the window is %" PRIu32 "x%" PRIu32,
+                         row->word, row->side_max, view->width, view->height);
         if (output->encoding == ZR_ENCODING_JPEG && scene->background.w < 1.0f)
             zr_error_add(error, ZR_BAD_SCENE, pointer,
                          "a jpeg has no alpha, and the background has: give an opaque background, or the encoding webp "

@@ -399,7 +399,7 @@ static double value_of(enum limit limit, const struct zr_limits *limits)
     case COORDINATE:
         return coordinate;
     case LENGTH:
-        return coordinate * ZR_JSON_LENGTHS_A_COORDINATE;
+        return coordinate * ZR_JSON_LENGTHS_PER_COORDINATE;
     case MATRIX:
         return (double)ZR_MATRIX_MAX;
     case SIDE:

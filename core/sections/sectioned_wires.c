@@ -1,7 +1,7 @@
 #include "sections/sectioned_wires.h"
 #include "base/run.h"
 
-enum { WIRES_A_CANCEL_CHECK = 1 << 13, PIECES_MOST = 2 };
+enum { WIRES_PER_CANCEL_CHECK = 1 << 13, PIECES_MOST = 2 };
 
 struct cutting {
     const struct zr_mesh *mesh;
@@ -65,7 +65,7 @@ static bool cut_lines(const struct cutting *c, const struct zr_cancel *cancel)
     struct zr_wires *wires = c->wires;
     struct interval pieces[PIECES_MOST];
     for (uint32_t line = 0; line < c->mesh->line_count; line++) {
-        if (line % WIRES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (line % WIRES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         const int count = cut_line(c, line, pieces);
         for (int i = 0; i < count; i++) {
             wires->lines[2 * wires->line_count] = end_at(c, line, pieces[i].from);
@@ -87,7 +87,7 @@ static bool cut_points(const struct cutting *c, const struct zr_cancel *cancel)
 {
     struct zr_wires *wires = c->wires;
     for (uint32_t point = 0; point < c->mesh->point_count; point++) {
-        if (point % WIRES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (point % WIRES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         if (!is_kept(c, c->mesh->points[point])) continue;
         wires->points[wires->point_count] = c->mesh->points[point];
         wires->point_numbers[wires->point_count++] = point;

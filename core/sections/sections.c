@@ -8,7 +8,7 @@
 #include "scene/parts/part_list.h"
 #include "sections/hatch.h"
 
-enum { FACES_A_CANCEL_CHECK = 1 << 13, POSITIONS_A_CANCEL_CHECK = 1 << 17 };
+enum { FACES_PER_CANCEL_CHECK = 1 << 13, POSITIONS_PER_CANCEL_CHECK = 1 << 17 };
 
 struct cutting {
     const struct zr_run *run;
@@ -94,7 +94,7 @@ static struct zr_section_cut cut_of(const struct cutting *c, const zr_mat4 *m)
 static bool is_placed(const struct zr_mesh *mesh, const struct zr_cancel *cancel)
 {
     for (uint32_t p = 0; p < mesh->position_count; p++) {
-        if (p % POSITIONS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return true;
+        if (p % POSITIONS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return true;
         if (!(mesh->positions[p].w > 0.0f)) return false;
     }
     return true;
@@ -122,7 +122,7 @@ static uint8_t *find_crossed(struct cutting *c, const struct zr_section_cut *cut
     if (!sides || !crossed) return NULL;
     for (uint32_t face = 0; face < mesh->face_count; face++) {
         const uint32_t part = mesh->face_parts ? mesh->face_parts[face] : 0;
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(c->run->cancel)) return crossed;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(c->run->cancel)) return crossed;
         for (uint32_t i = mesh->face_offsets[face]; i < mesh->face_offsets[face + 1] && !crossed[part]; i++)
             for (uint32_t k = 0; k < cut->plane_count; k++) {
                 sides[part][k] |= zr_slice_distance(&cut->planes[k], mesh->positions[mesh->indices[i]]) > 0.0 ? 1 : 2;
@@ -288,7 +288,7 @@ static bool make_ids(struct cutting *c, struct zr_sections_cut *out)
         const uint32_t own = (uint32_t)zr_mesh_ids(mesh);
         if (zr_is_cancelled(c->run->cancel)) return true;
         for (uint32_t k = 0; k < own; k++) {
-            if (k % POSITIONS_A_CANCEL_CHECK == 0 && zr_is_cancelled(c->run->cancel)) return true;
+            if (k % POSITIONS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(c->run->cancel)) return true;
             const uint32_t number = c->numbers[i] ? c->numbers[i][k] : k;
             ids[id++] = number < old ? first + number : cap++;
         }

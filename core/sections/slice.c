@@ -4,7 +4,7 @@
 #include "mesh/closed_parts.h"
 #include "mesh/weld.h"
 
-enum { FACES_A_CANCEL_CHECK = 1 << 13, VERTICES_A_CANCEL_CHECK = 1 << 16 };
+enum { FACES_PER_CANCEL_CHECK = 1 << 13, VERTICES_PER_CANCEL_CHECK = 1 << 16 };
 
 /* Edges that cross the plane, by their vertices; a hash table with linear probing, at most half full. */
 struct crossing {
@@ -95,7 +95,7 @@ static enum zr_status list_faces(struct zr_arena *arena, const struct zr_slices 
     uint64_t faces = 0, rings = 0, corners = 0;
     for (uint32_t face = 0; face < mesh->face_count; face++) {
         const uint32_t count = mesh->face_offsets[face + 1] - mesh->face_offsets[face];
-        if (face % VERTICES_A_CANCEL_CHECK == 0 && zr_is_cancelled(slices->cancel)) return ZR_CANCELLED;
+        if (face % VERTICES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(slices->cancel)) return ZR_CANCELLED;
         if ((slices->parts[part_of(mesh, face)] == ZR_SLICE_UNCUT) != uncut) continue;
         faces += fans ? count - 2 : 1;
         rings += fans ? count - 2 : zr_mesh_rings(mesh, face).count;
@@ -103,7 +103,7 @@ static enum zr_status list_faces(struct zr_arena *arena, const struct zr_slices 
     }
     if (!make_faces(arena, faces, rings, corners, out)) return ZR_NO_MEMORY;
     for (uint32_t face = 0; face < mesh->face_count && corners > 0; face++) {
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(slices->cancel)) return ZR_CANCELLED;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(slices->cancel)) return ZR_CANCELLED;
         if ((slices->parts[part_of(mesh, face)] == ZR_SLICE_UNCUT) != uncut) continue;
         if (fans)
             list_fan(mesh, face, out);
@@ -118,7 +118,7 @@ static void list_points(const struct zr_mesh *mesh, const struct zr_cancel *canc
                         zr_vec3 *points)
 {
     for (uint32_t p = mesh->position_count; p-- > 0;) {
-        if (p % VERTICES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
+        if (p % VERTICES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         points[vertices[p]] = zr_vec4_over_w(mesh->positions[p]);
     }
 }
@@ -154,7 +154,7 @@ static bool find_sides(struct splitting *s, const struct zr_slice_plane *plane)
     const struct zr_slices *slices = s->slices;
     for (uint32_t v = 0; v < slices->vertex_count; v++) {
         const zr_vec3 p = slices->points[v];
-        if (v % VERTICES_A_CANCEL_CHECK == 0 && zr_is_cancelled(slices->cancel)) return false;
+        if (v % VERTICES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(slices->cancel)) return false;
         s->distances[v] = zr_slice_distance(plane, (zr_vec4){p.x, p.y, p.z, 1.0f});
         s->stays[v] = (s->distances[v] > 0.0) != s->saves;
     }
@@ -180,7 +180,7 @@ static bool measure(const struct splitting *s, struct sizes *sizes)
         const uint32_t end = from->ring_ends[ring];
         const uint64_t before = crossings;
         bool last = corner_stays(s, from->corners[end - 1]);
-        if (ring % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(s->slices->cancel)) return false;
+        if (ring % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(s->slices->cancel)) return false;
         for (; at < end; at++) {
             const bool stays = corner_stays(s, from->corners[at]);
             crossings += stays != last;
@@ -348,7 +348,7 @@ enum zr_status zr_slices_split(struct zr_arena *arena, struct zr_slices *slices,
     if (!find_sides(&s, plane) || !measure(&s, &sizes)) return ZR_CANCELLED;
     if (!make_rooms(arena, &s, &sizes)) return ZR_NO_MEMORY;
     for (uint32_t face = 0; face < faces->face_count; face++) {
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(slices->cancel)) return ZR_CANCELLED;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(slices->cancel)) return ZR_CANCELLED;
         split_face(&s, face);
     }
     const enum zr_status status = zr_slice_caps_add(arena, slices, s.segments, s.segment_count, out);

@@ -10,7 +10,7 @@ struct joining {
     struct zr_slice_faces *faces;
 };
 
-enum { SEGMENTS_A_CANCEL_CHECK = 1 << 13 };
+enum { SEGMENTS_PER_CANCEL_CHECK = 1 << 13 };
 
 static bool is_before(const struct zr_slice_segment *a, const struct zr_slice_segment *b)
 {
@@ -25,7 +25,7 @@ static bool merge(const struct zr_cancel *cancel, const struct zr_slice_segment 
                   uint32_t end, struct zr_slice_segment *to)
 {
     for (uint32_t i = begin, left = begin, right = middle; i < end; i++) {
-        if (i % SEGMENTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (i % SEGMENTS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         const bool takes_right = left == middle || (right < end && is_before(&from[right], &from[left]));
         to[i] = from[takes_right ? right++ : left++];
     }
@@ -92,7 +92,7 @@ static void add_loop(struct joining *j, uint32_t first)
     struct zr_slice_faces *faces = j->faces;
     const uint32_t begin = faces->corner_count;
     for (uint32_t at = first; at < j->count; at = after(j, &j->segments[at])) {
-        if (faces->corner_count % SEGMENTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(j->slices->cancel)) break;
+        if (faces->corner_count % SEGMENTS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(j->slices->cancel)) break;
         j->is_used[at] = true;
         faces->corners[faces->corner_count++] = make_corner(j->slices, j->segments[at].from);
     }

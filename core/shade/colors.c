@@ -32,12 +32,12 @@ bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material 
 }
 
 /* Light evaluations per range, between two checks for cancellation: less than a millisecond. */
-enum { EVALUATIONS_A_RANGE = 1 << 14 };
+enum { EVALUATIONS_PER_RANGE = 1 << 14 };
 
 /* Returns the points or faces per range. Each is lit by all lights. */
 static uint32_t points_a_range(const struct coloring *coloring)
 {
-    return EVALUATIONS_A_RANGE / (coloring->lighting->count + 1) + 1;
+    return EVALUATIONS_PER_RANGE / (coloring->lighting->count + 1) + 1;
 }
 
 enum zr_rate zr_colors_rate(const struct zr_scene *scene, const struct zr_mesh *mesh)

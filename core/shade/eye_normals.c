@@ -6,7 +6,7 @@
 #include "shade/lights/light.h"
 
 /* Normals per range: less than a millisecond. */
-enum { NORMALS_A_RANGE = 1 << 13 };
+enum { NORMALS_PER_RANGE = 1 << 13 };
 
 struct making {
     const struct zr_mesh *mesh;
@@ -69,6 +69,6 @@ bool zr_eye_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, c
         making.computed = *vertex_normals;
     }
     if (!zr_arena_ok(run->arena)) return false;
-    zr_team_ranges(run->team, zr_eye_normals_count(mesh, rate), NORMALS_A_RANGE, make_range, &making);
+    zr_team_ranges(run->team, zr_eye_normals_count(mesh, rate), NORMALS_PER_RANGE, make_range, &making);
     return true;
 }

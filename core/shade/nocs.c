@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-enum { POSITIONS_A_CANCEL_CHECK = 1 << 15 };
+enum { POSITIONS_PER_CANCEL_CHECK = 1 << 15 };
 
 static struct zr_nocs nocs_of(const struct zr_mesh *drawn, const struct zr_cancel *cancel)
 {
@@ -10,7 +10,7 @@ static struct zr_nocs nocs_of(const struct zr_mesh *drawn, const struct zr_cance
     double min[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, max[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, square = 0.0;
     struct zr_nocs out = {.per_unit = 0.0};
     for (uint32_t i = 0; i < mesh->position_count; i++) {
-        if (i % POSITIONS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
+        if (i % POSITIONS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
         const zr_vec4 *p = &mesh->positions[i];
         const double at[3] = {(double)p->x / (double)p->w, (double)p->y / (double)p->w, (double)p->z / (double)p->w};
         if (!isfinite(at[0]) || !isfinite(at[1]) || !isfinite(at[2])) continue; /* at infinity */

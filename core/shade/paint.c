@@ -9,7 +9,7 @@
 /* ---- packed colours ---- */
 
 /* With fewer pixels per colour, packing takes longer than it saves (2 % of a million triangles at 1920x1080). */
-enum { PIXELS_A_COLOR = 4, COLORS_A_RANGE = 4096 };
+enum { PIXELS_PER_COLOR = 4, COLORS_PER_RANGE = 4096 };
 
 struct packing {
     zr_rgba_pack_fn *pack;
@@ -39,14 +39,14 @@ static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_
             of_draw->packed = last->packed;
             continue;
         }
-        if (!ZR_FAST(packed_later, (uint64_t)of_draw->color_count * PIXELS_A_COLOR <= pixels)) continue;
+        if (!ZR_FAST(packed_later, (uint64_t)of_draw->color_count * PIXELS_PER_COLOR <= pixels)) continue;
         uint32_t *out = zr_arena_alloc(arena, of_draw->color_count, sizeof *out);
         if (!out) return false;
         struct packing packing = {zr_rgba_pack_of(zr_team_isa(team)), color->values, out};
-        zr_team_ranges(team, of_draw->color_count, COLORS_A_RANGE, pack_range, &packing);
+        zr_team_ranges(team, of_draw->color_count, COLORS_PER_RANGE, pack_range, &packing);
         of_draw->packed = out;
         last = of_draw;
-        pixels -= (uint64_t)of_draw->color_count * PIXELS_A_COLOR;
+        pixels -= (uint64_t)of_draw->color_count * PIXELS_PER_COLOR;
     }
     return true;
 }

@@ -20,8 +20,8 @@
 enum {
     ZR_BLOCK_PATCHES = ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT / ZR_LANES,
     ZR_PATCHES_ACROSS = ZR_BLOCK_WIDTH / ZR_PATCH_COLUMNS, /* in a block */
-    ZR_PARTS_A_ROW = ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT,
-    ZR_PARTS_MOST = 2 * ZR_PARTS_A_ROW,
+    ZR_PARTS_PER_ROW = ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT,
+    ZR_PARTS_MOST = 2 * ZR_PARTS_PER_ROW,
     ZR_PARTS_AT_ONCE = ZR_LANES < 8 ? 1 : 4,                    /* read together, even if a patch has fewer */
     ZR_PARTS_ROOM = ZR_PARTS_MOST + ZR_LANES + ZR_PARTS_AT_ONCE /* entries behind the last may be written and read */
 };
@@ -224,7 +224,7 @@ static inline int zr_find_parts(struct zr_shader *s, const struct zr_tile *tile,
     int row = begin;
     uint32_t count = 1;
     s->parts.owners[0] = 0;
-    for (; row < end && count + ZR_PARTS_A_ROW <= ZR_PARTS_MOST; row += ZR_BLOCK_COLUMNS)
+    for (; row < end && count + ZR_PARTS_PER_ROW <= ZR_PARTS_MOST; row += ZR_BLOCK_COLUMNS)
         for (int b = row; b < row + across; b++)
             count = zr_parts_find(&s->parts, count, tile, b, without_early);
     s->parts.count = count;

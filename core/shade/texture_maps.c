@@ -7,7 +7,7 @@
 #include "scene/image.h"
 
 /* Texels per range: some hundred microseconds. */
-enum { TEXELS_A_RANGE = 1 << 14 };
+enum { TEXELS_PER_RANGE = 1 << 14 };
 
 /* Levels of an image, averaged either as they are or in linear light. */
 struct chain {
@@ -217,7 +217,7 @@ static bool make_levels(struct making *m, uint32_t bits, const struct decoding *
         if (!texels) return false;
         to->texels = texels;
         struct halving halving = {from, to, texels, bits, decoding, m->run->cancel};
-        zr_team_ranges(m->run->team, to->height, TEXELS_A_RANGE / to->width + 1, halve_rows, &halving);
+        zr_team_ranges(m->run->team, to->height, TEXELS_PER_RANGE / to->width + 1, halve_rows, &halving);
         chain->level_count++;
     }
     return true;

@@ -8,8 +8,8 @@
 #define ZR_TEXTURE_SIMD_H
 
 #include "base/inlined.h"
-#include "base/simd/lookup_simd.h"
 #include "base/mutant.h"
+#include "base/simd/lookup_simd.h"
 #include "base/simd/pow_simd.h"
 #include "base/simd/simd.h"
 #include "base/vec3_simd.h"

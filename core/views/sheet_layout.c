@@ -7,7 +7,7 @@
 #include "overlay/glyphs.h"
 
 /* Rows of the sheet per dot of glyphs; sizes in dots. */
-enum { HEIGHT_A_DOT = 480, GUTTER = 4, ABOVE = 3, BELOW = 2, SIDE_LEAST = 16 };
+enum { HEIGHT_PER_DOT = 480, GUTTER = 4, ABOVE = 3, BELOW = 2, SIDE_LEAST = 16 };
 
 bool zr_sheet_lay_out(const struct zr_sheet *sheet, uint32_t count, uint32_t width, uint32_t height,
                       struct zr_sheet_layout *layout)
@@ -16,7 +16,7 @@ bool zr_sheet_lay_out(const struct zr_sheet *sheet, uint32_t count, uint32_t wid
     uint32_t columns = sheet->columns ? sheet->columns : (uint32_t)ceil(sqrt((double)count));
     if (columns > count) columns = count;
     *layout = (struct zr_sheet_layout){.columns = columns, .rows = (count + columns - 1) / columns};
-    layout->dot = zr_greater(1, (int32_t)((shorter + HEIGHT_A_DOT / 2) / HEIGHT_A_DOT));
+    layout->dot = zr_greater(1, (int32_t)((shorter + HEIGHT_PER_DOT / 2) / HEIGHT_PER_DOT));
     layout->gutter = GUTTER * layout->dot;
     layout->caption = sheet->has_captions ? (ABOVE + ZR_GLYPH_ROWS + BELOW) * layout->dot : 0;
     const int64_t across = (int64_t)width - (int64_t)layout->gutter * (columns + 1);

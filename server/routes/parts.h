@@ -7,9 +7,9 @@
 #ifndef ZRASTERD_PARTS_H
 #define ZRASTERD_PARTS_H
 
-#include "request/encode.h"
 #include "http/accept.h"
 #include "jobs/stream.h"
+#include "request/encode.h"
 
 struct part {
     const char *name; /* of the file; NULL: none. In a form, the field has it without its extension */

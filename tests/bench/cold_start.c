@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include "bench/alone/first_frame.h"
-#include "bench/input/documents.h"
-#include "bench/machine.h"
 #include "bench/http/process.h"
-#include "bench/series.h"
 #include "bench/http/service.h"
 #include "bench/http/wire.h"
+#include "bench/input/documents.h"
+#include "bench/machine.h"
+#include "bench/series.h"
 #include "bench/works.h"
 #include "server/support/daemon.h"
 

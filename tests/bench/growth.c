@@ -1,7 +1,7 @@
 #include "bench/growth.h"
 
-#include "bench/machine.h"
 #include "bench/input/meshes.h"
+#include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/versus/sides.h"
 

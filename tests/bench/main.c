@@ -9,18 +9,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/input/arrays.h"
 #include "bench/bench.h"
 #include "bench/compare.h"
-#include "bench/input/formats.h"
 #include "bench/growth.h"
+#include "bench/http/service.h"
+#include "bench/input/arrays.h"
+#include "bench/input/formats.h"
 #include "bench/layers.h"
 #include "bench/looks.h"
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/http/service.h"
-#include "bench/versus/sides.h"
 #include "bench/turns.h"
+#include "bench/versus/sides.h"
 #include "bench/versus/versus_cjson.h"
 #include "bench/versus/versus_glsl.h"
 #include "bench/versus/versus_libpng.h"

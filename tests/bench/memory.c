@@ -3,10 +3,10 @@
  */
 #include <stdlib.h>
 
-#include "bench/input/documents.h"
-#include "bench/input/meshes.h"
 #include "bench/http/service.h"
 #include "bench/http/wire.h"
+#include "bench/input/documents.h"
+#include "bench/input/meshes.h"
 #include "bench/works.h"
 #include "server/support/daemon.h"
 

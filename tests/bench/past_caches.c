@@ -11,7 +11,7 @@
 #include "bench/series.h"
 
 enum { ONE, TWO, SIDES };
-enum { BYTES_A_RANGE = 1 << 15 };
+enum { BYTES_PER_RANGE = 1 << 15 };
 
 static const size_t BYTES = (size_t)1920 * 1080 * 8; /* colour and depth */
 static const char *const names[SIDES] = {"floor: colour and depth past the caches, 1080p 1T",
@@ -40,9 +40,9 @@ static bool run_round(void *context, struct series *series)
     struct memory *memory = context;
     memory->value = memory->value % 1000 + 1;
     for (int side = ONE; side <= TWO; side++) {
-        zr_team_ranges(memory->teams[side], BYTES, BYTES_A_RANGE, write_range, memory); /* which wakes the second */
+        zr_team_ranges(memory->teams[side], BYTES, BYTES_PER_RANGE, write_range, memory); /* which wakes the second */
         double begin = now_ms();
-        zr_team_ranges(memory->teams[side], BYTES, BYTES_A_RANGE, write_range, memory);
+        zr_team_ranges(memory->teams[side], BYTES, BYTES_PER_RANGE, write_range, memory);
         series_add(&series[side], now_ms() - begin);
     }
     return true;

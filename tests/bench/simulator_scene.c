@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bench/versus/stock_png.h"
 #include "bench/texels.h"
+#include "bench/versus/stock_png.h"
 #include "support/input/base64.h"
 #include "support/random.h"
 

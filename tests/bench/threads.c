@@ -1,6 +1,6 @@
 /* More threads against one, and beside it as many pictures at once, each on one thread. */
-#include "bench/http/crowd.h"
 #include "bench/growth.h"
+#include "bench/http/crowd.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/versus/sides.h"

@@ -14,10 +14,10 @@
 
 #include "fuzz/base.h"
 #include "fuzz/seeds.h"
-#include "support/input/base64.h"
 #include "support/files.h"
-#include "support/pictures/jpeg.h"
+#include "support/input/base64.h"
 #include "support/input/npy.h"
+#include "support/pictures/jpeg.h"
 
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 

@@ -11,7 +11,7 @@
 #include "support/test_arena.h"
 #include "support/tests.h"
 
-enum { TRIANGLES = 10000, TRIANGLES_A_POLYGON = 5, SCENE_TRIANGLES = 1024, CORNERS = 1024 };
+enum { TRIANGLES = 10000, TRIANGLES_PER_POLYGON = 5, SCENE_TRIANGLES = 1024, CORNERS = 1024 };
 
 TEST_ARENA(1 << 28)
 
@@ -365,7 +365,7 @@ static uint32_t try_shapes(struct random *random)
 TEST_AROUND(random_shapes_are_drawn_as_the_odd_even_rule_says_by_every_algorithm, open_arena, close_arena)
 {
     struct random random = random_seeded(83);
-    for (uint32_t drawn = 0, wanted = triangles_wanted() / TRIANGLES_A_POLYGON; drawn < wanted;)
+    for (uint32_t drawn = 0, wanted = triangles_wanted() / TRIANGLES_PER_POLYGON; drawn < wanted;)
         drawn += try_shapes(&random);
 }
 

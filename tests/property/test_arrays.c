@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/input/array_parts.h"
 #include "support/files.h"
+#include "support/input/array_parts.h"
 #include "support/random.h"
 #include "support/renderer.h"
 #include "support/tests.h"

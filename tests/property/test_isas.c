@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "support/pictures/gallery.h"
 #include "support/isas.h"
+#include "support/pictures/gallery.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "support/pictures/digests.h"
 #include "support/isas.h"
+#include "support/pictures/digests.h"
 #include "support/pictures/pictures.h"
 #include "support/random_scenes.h"
 

@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "support/input/zip_file.h"
 #include "support/renderer.h"
 #include "support/tests.h"
-#include "support/input/zip_file.h"
 
 /* ---- a ball with a dent, of triangles ---- */
 

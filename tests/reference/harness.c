@@ -253,7 +253,7 @@ static uint32_t color_slack(const struct harness *harness, const struct zr_scene
 static bool too_many_near(const struct comparison *before, const struct comparison *after)
 {
     const uint64_t near = after->color_near - before->color_near, pixels = after->pixels - before->pixels;
-    return near > LOOK_TWIN_NEAR_MAX + pixels / LOOK_TWIN_PIXELS_A_NEAR;
+    return near > LOOK_TWIN_NEAR_MAX + pixels / LOOK_TWIN_PIXELS_PER_NEAR;
 }
 
 /* Both pictures stand until the next call; out->frame tells whether both sides gave one. */

@@ -15,7 +15,7 @@
 #include "reference/subject.h"
 
 /* An independent transform may change the owner of one pixel in so many. */
-enum { PIXELS_A_CHANGE = 1000000 };
+enum { PIXELS_PER_CHANGE = 1000000 };
 
 static enum verdict worse(enum verdict a, enum verdict b)
 {
@@ -104,7 +104,7 @@ static enum verdict check_all(struct harness *harness, const struct options *opt
     if (total.twins_pixels) worst = worse(worst, twins_report(&twins, &report));
     if (report.count == 0) worst = VERDICT_UNPROVED;
     if (report.bar == COMPARE_TRANSFORM &&
-        total.comparison.coverage > (total.comparison.visible + PIXELS_A_CHANGE - 1) / PIXELS_A_CHANGE)
+        total.comparison.coverage > (total.comparison.visible + PIXELS_PER_CHANGE - 1) / PIXELS_PER_CHANGE)
         worst = worse(worst, VERDICT_DIFFERENT);
     report_total(&report, worst, &total);
     return page_close(report.page, worst, &total) ? worst : VERDICT_UNPROVED;

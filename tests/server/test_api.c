@@ -8,8 +8,8 @@
 #include <zlib.h>
 
 #include "server/support/problems.h"
-#include "support/input/draco_check.h"
 #include "support/files.h"
+#include "support/input/draco_check.h"
 #include "support/tests.h"
 
 #define TOKEN "s3cret-token"

@@ -1,10 +1,10 @@
 #include "input/images/image_read.h"
 
 #include "base/cancel.h"
+#include "input/formats/sniff.h"
 #include "input/images/image_size.h"
 #include "input/images/jpeg_read.h"
 #include "input/images/png_read.h"
-#include "input/formats/sniff.h"
 #include "input/images/webp_read.h"
 
 static enum zr_status read_png(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,

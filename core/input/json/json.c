@@ -9,8 +9,8 @@
 #include "input/text/number.h"
 #include "input/text/text.h"
 
-/* BYTES_A_LOOK: bytes between two checks for cancellation. */
-enum { WORD_BITS = 64, BYTES_A_LOOK = 1 << 20 };
+/* BYTES_PER_CANCEL_CHECK: bytes between two checks for cancellation. */
+enum { WORD_BITS = 64, BYTES_PER_CANCEL_CHECK = 1 << 20 };
 
 static const char A_VALUE[] = "a value";
 
@@ -56,11 +56,11 @@ static bool fail_limit(struct zr_json *json, const char *at, const char *format,
     return false;
 }
 
-/* False if the request is cancelled; checks at most once per BYTES_A_LOOK. */
+/* False if the request is cancelled; checks at most once per BYTES_PER_CANCEL_CHECK. */
 static bool may_continue(struct zr_json *json, const char *at)
 {
     if (at < json->look) return true;
-    json->look = at + (json->end - at < BYTES_A_LOOK ? json->end - at : BYTES_A_LOOK);
+    json->look = at + (json->end - at < BYTES_PER_CANCEL_CHECK ? json->end - at : BYTES_PER_CANCEL_CHECK);
     if (!zr_is_cancelled(json->cancel)) return !json->ended;
     zr_arena_charge(json->arena, SIZE_MAX); /* fails the arena, so that all readers end as if memory were used up */
     zr_json_give_up(json);

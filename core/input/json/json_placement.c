@@ -4,7 +4,7 @@
 
 uint64_t zr_json_visits_max(const struct zr_json *json, uint32_t count)
 {
-    return (uint64_t)ZR_NODES_VISITS_AN_INSTANCE * json->limits->instances_max + count;
+    return (uint64_t)ZR_NODE_VISITS_PER_INSTANCE * json->limits->instances_max + count;
 }
 
 bool zr_json_check_placement(struct zr_json *json, const struct zr_json_path *path, uint32_t count,
@@ -28,7 +28,7 @@ bool zr_json_check_placement(struct zr_json *json, const struct zr_json_path *pa
                              "shared nodes are visited %" PRIu64
                              " times, once for each way from a root to a mesh; up to "
                              "%" PRIu64 " visits are allowed, %d for each of the %u instances of the limit",
-                             placement->visits, zr_json_visits_max(json, count), (int)ZR_NODES_VISITS_AN_INSTANCE,
+                             placement->visits, zr_json_visits_max(json, count), (int)ZR_NODE_VISITS_PER_INSTANCE,
                              json->limits->instances_max);
     case ZR_NODES_OUT_OF_RANGE:
         return zr_json_fault(json, node, "the matrix to world space has an entry beyond %g", (double)ZR_MATRIX_MAX);

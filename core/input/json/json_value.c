@@ -162,13 +162,13 @@ bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, v
 
 bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_A_COORDINATE;
+    const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_PER_COORDINATE;
     return read_float(json, path, -limit, limit, out);
 }
 
 bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_A_COORDINATE;
+    const double limit = (double)json->limits->coordinate_max * ZR_JSON_LENGTHS_PER_COORDINATE;
     double value;
     if (!zr_json_number_in(json, path, -limit, limit, &value)) return false;
     if (!((float)value > 0.0f)) return zr_json_fault(json, path, "%.9g is not greater than 0", value);

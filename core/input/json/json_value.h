@@ -37,7 +37,7 @@ bool zr_json_number_in(struct zr_json *json, const struct zr_json_path *path, do
  * Length: magnitude <= 1000 * coordinate_max, enough for a camera that shows a scene of the full size.
  * Positive: a length > 0, also after rounding to float.
  * Coordinate: magnitude <= coordinate_max. */
-enum { ZR_JSON_LENGTHS_A_COORDINATE = 1000 };
+enum { ZR_JSON_LENGTHS_PER_COORDINATE = 1000 };
 zr_json_read_fn zr_json_length, zr_json_positive, zr_json_coordinate;
 
 /* uint32_t: an integer, 0..UINT32_MAX. */

@@ -14,7 +14,7 @@
 enum { POSITIONS_MAX = INT32_MAX / 4 };
 
 /* Values between two checks for cancellation. */
-enum { VALUES_A_LOOK = 1 << 16 };
+enum { VALUES_PER_CANCEL_CHECK = 1 << 16 };
 
 /* ---- reading ---- */
 
@@ -120,7 +120,7 @@ static bool read_value_array(struct zr_json *json, const struct zr_json_path *pa
     heights->rows = array.rows;
     const float *values = heights->values.items;
     for (size_t i = 0; i < heights->values.count && !heights->has_holes; i++) {
-        if (i % VALUES_A_LOOK == 0) {
+        if (i % VALUES_PER_CANCEL_CHECK == 0) {
             zr_json_look(json);
             if (zr_json_stops(json)) return false;
         }

@@ -7,7 +7,7 @@
 
 /* ---- keys ---- */
 
-enum { POINT_SIZE_MAX = 64, ITEMS_A_LOOK = 1 << 16 };
+enum { POINT_SIZE_MAX = 64, ITEMS_PER_CANCEL_CHECK = 1 << 16 };
 enum {
     NAME,
     MATERIAL,
@@ -185,8 +185,8 @@ static void check_indices(struct zr_json *json, const struct zr_json_path *path,
                           const uint32_t *offsets, size_t items, uint32_t positions)
 {
     for (size_t i = 0; i < items; i++) {
-        if (i % ITEMS_A_LOOK == 0) zr_json_look(json);
-        if (i % ITEMS_A_LOOK == 0 && zr_json_stops(json)) return;
+        if (i % ITEMS_PER_CANCEL_CHECK == 0) zr_json_look(json);
+        if (i % ITEMS_PER_CANCEL_CHECK == 0 && zr_json_stops(json)) return;
         const size_t first = offsets ? offsets[i] : 2 * i, behind = offsets ? offsets[i + 1] : 2 * i + 2;
         for (size_t k = first; k < behind; k++)
             if (indices[k] >= positions && json->error->count < ZR_ERROR_ITEMS)
@@ -221,8 +221,8 @@ static void make_points(struct zr_json *json, const struct zr_json_path *path, c
     mesh->points = indices;
     if (points->positions == mesh->position_count) return;
     for (uint32_t i = 0; i < mesh->point_count; i++) {
-        if (i % ITEMS_A_LOOK == 0) zr_json_look(json);
-        if (i % ITEMS_A_LOOK == 0 && zr_json_stops(json)) return;
+        if (i % ITEMS_PER_CANCEL_CHECK == 0) zr_json_look(json);
+        if (i % ITEMS_PER_CANCEL_CHECK == 0 && zr_json_stops(json)) return;
         if (indices[i] >= mesh->position_count && json->error->count < ZR_ERROR_ITEMS)
             zr_json_bad_index(json, ZR_JSON_ITEM(ZR_JSON_KEY(path, fields[POINTS].key), i), (double)indices[i],
                               mesh->position_count, "positions");

@@ -8,7 +8,7 @@
 enum { CORNERS_AT_HAND = 64 };
 
 /* Rows between two checks for cancellation. */
-enum { ROWS_A_LOOK = 1 << 16 };
+enum { ROWS_PER_CANCEL_CHECK = 1 << 16 };
 
 /* ---- arrays ---- */
 
@@ -83,7 +83,7 @@ bool zr_read_mesh_tangents(struct zr_json *json, const struct zr_json_path *path
     const bool is_array = zr_json_type(json) == ZR_JSON_OBJECT;
     if (!read_array(json, path, &list, (struct zr_array_wanted){.least = 4, .most = 4}, 0, out)) return false;
     for (size_t i = 0; is_array && i < array->count; i++) {
-        if (i % ROWS_A_LOOK == 0) zr_json_look(json);
+        if (i % ROWS_PER_CANCEL_CHECK == 0) zr_json_look(json);
         if (zr_json_stops(json)) return false;
         zr_tangent_check(json, ZR_JSON_ITEM(path, i), (const zr_vec4 *)array->items + i);
     }
@@ -175,8 +175,8 @@ static bool read_face_array(struct zr_json *json, const struct zr_json_path *pat
         !zr_growing_reserve(&faces->ends, json, array.rows + 1))
         return false;
     uint32_t *ends = faces->ends.items, corners = (uint32_t)array.columns;
-    for (size_t first = 0; first <= array.rows; first += ROWS_A_LOOK) {
-        const size_t left = array.rows + 1 - first, count = left < ROWS_A_LOOK ? left : ROWS_A_LOOK;
+    for (size_t first = 0; first <= array.rows; first += ROWS_PER_CANCEL_CHECK) {
+        const size_t left = array.rows + 1 - first, count = left < ROWS_PER_CANCEL_CHECK ? left : ROWS_PER_CANCEL_CHECK;
         for (size_t i = 0; i < count; i++)
             ends[first + i] = (uint32_t)(first + i) * corners;
         zr_json_look(json);

@@ -16,7 +16,7 @@ struct zr_model {
     struct zr_scene_builder builder;
 };
 
-enum { INSTANCES_A_LOOK = 1 << 14 };
+enum { INSTANCES_PER_CANCEL_CHECK = 1 << 14 };
 
 /* ---- reading ---- */
 
@@ -339,7 +339,7 @@ struct zr_instance *zr_parsed_place_models(struct zr_parsed_scene *root, const s
     for (uint32_t i = 0; all && i < given && zr_arena_ok(root->json.arena); i++) {
         const struct zr_instance *one = &instances[i];
         const struct zr_model *model = model_of(root, one);
-        if (i % INSTANCES_A_LOOK == 0) zr_json_look(&root->json);
+        if (i % INSTANCES_PER_CANCEL_CHECK == 0) zr_json_look(&root->json);
         if (zr_json_stops(&root->json)) return NULL;
         if (!model) *next++ = *one;
         for (uint32_t k = 0; model && k < model->scene.instance_count; k++) {

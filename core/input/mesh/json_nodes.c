@@ -113,9 +113,10 @@ static const struct zr_json_field fields[] = {
     [ROTATION] = {"rotation", zr_json_vec4, AT(rotation), .otherwise = "[0, 0, 0, 1]",
                   .text = "rotation as a quaternion x, y, z, w, after scale", .schema = ZR_SCHEMA_OF("quaternion")},
     [SCALE] = {"scale", zr_json_vec3, AT(scale), .otherwise = "[1, 1, 1]", .text = "factor per axis"},
-    [CHILDREN] = {"children", zr_json_value_start, AT(children), .otherwise = "[]", .text = "numbers or names of child nodes",
-                  .schema = ZR_SCHEMA(
-                      {"type" : "array", "items" : {"anyOf" : [ {"$ref" : "#/$defs/index"}, {"type" : "string"} ]}})}};
+    [CHILDREN] = {
+        "children", zr_json_value_start, AT(children), .otherwise = "[]", .text = "numbers or names of child nodes",
+        .schema =
+            ZR_SCHEMA({"type" : "array", "items" : {"anyOf" : [ {"$ref" : "#/$defs/index"}, {"type" : "string"} ]}})}};
 static const struct zr_json_rule rules[] = {
     {ZR_RULE_AGAINST, .text = "two transformations: %s and %s",
      .sets = {ZR_KEY(MATRIX), ZR_KEY(TRANSLATION) | ZR_KEY(ROTATION) | ZR_KEY(SCALE)}}};

@@ -14,7 +14,7 @@
 #define VALUE_MAX ((double)FLT_MAX)
 
 /* Values between two checks for cancellation. */
-enum { VALUES_A_LOOK = 1 << 16 };
+enum { VALUES_PER_CANCEL_CHECK = 1 << 16 };
 
 /* ---- reading ---- */
 
@@ -32,7 +32,7 @@ static bool read_plain(struct zr_json *json, struct zr_growing *values)
             json->at++;
             return true;
         }
-        if (values->count % VALUES_A_LOOK == 0 && zr_json_stops(json)) return false;
+        if (values->count % VALUES_PER_CANCEL_CHECK == 0 && zr_json_stops(json)) return false;
     }
     return false;
 }
@@ -159,7 +159,7 @@ static const zr_vec4 *make_colors(struct zr_json *json, struct coloring *colorin
 {
     zr_vec4 *colors = zr_arena_alloc(json->arena, coloring->count, sizeof *colors);
     for (size_t i = 0; colors && i < coloring->count; i++) {
-        if (i % VALUES_A_LOOK == 0 && zr_is_cancelled(json->cancel)) return NULL;
+        if (i % VALUES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(json->cancel)) return NULL;
         colors[i] = zr_colormap_color(coloring->map, place(coloring, i));
     }
     return colors;

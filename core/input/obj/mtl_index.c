@@ -8,7 +8,7 @@
 #include "input/text/text.h"
 #include "render_request.h"
 
-enum { ENTRIES_AT_FIRST = 16, LINES_A_POLL = 1024, REPORT_MAX = 64 };
+enum { ENTRIES_AT_FIRST = 16, LINES_PER_CANCEL_CHECK = 1024, REPORT_MAX = 64 };
 
 struct zr_mtl *zr_mtl_open(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error)
@@ -82,7 +82,7 @@ static void index_lines(struct zr_mtl *mtl, struct zr_mtl_text rest)
     struct zr_mtl_text line;
     for (size_t i = 1; mtl->status == ZR_OK && zr_mtl_next(&rest, &line); i++) {
         const struct zr_mtl_text whole = line, key = zr_mtl_word(&line);
-        if (i % LINES_A_POLL == 0 && zr_is_cancelled(mtl->cancel)) mtl->status = ZR_CANCELLED;
+        if (i % LINES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(mtl->cancel)) mtl->status = ZR_CANCELLED;
         if (zr_mtl_is_word(&key, "newmtl")) {
             if (last) last->lines.end = whole.at;
             if ((last = add_entry(mtl)) == NULL) return;

@@ -4,7 +4,7 @@
 #include "base/cancel.h"
 #include "input/obj/mtl_file.h"
 
-enum { MATERIALS_A_POLL = 64 };
+enum { MATERIALS_PER_CANCEL_CHECK = 64 };
 
 /* Returns the entries of the used materials, in the order of their numbers, or NULL without memory. */
 static const struct zr_mtl_entry **list_used(struct zr_mtl *mtl)
@@ -17,7 +17,7 @@ static const struct zr_mtl_entry **list_used(struct zr_mtl *mtl)
 
 static bool goes_on(struct zr_mtl *mtl, uint32_t number)
 {
-    if (number % MATERIALS_A_POLL == 0 && mtl->status == ZR_OK && zr_is_cancelled(mtl->cancel))
+    if (number % MATERIALS_PER_CANCEL_CHECK == 0 && mtl->status == ZR_OK && zr_is_cancelled(mtl->cancel))
         mtl->status = ZR_CANCELLED;
     return mtl->status == ZR_OK;
 }

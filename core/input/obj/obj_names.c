@@ -12,7 +12,7 @@ enum {
     PARTS_AT_FIRST = 16,
     PROBES_MAX = 256, /* names that collide more often become separate parts */
     NAME_BYTES = 128, /* limit for an object's or a group's name within a part's name */
-    NAMES_A_POLL = 256
+    NAMES_PER_CANCEL_CHECK = 256
 };
 
 /* ---- material libraries ---- */
@@ -265,7 +265,7 @@ static enum zr_status name_all(struct naming *naming)
         if (!naming->face_parts) return ZR_NO_MEMORY;
     }
     for (size_t i = 0; i < file->total.names; i++) {
-        if (i % NAMES_A_POLL == 0 && zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
+        if (i % NAMES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
         if (!name_run(naming, begin, file->names[i].face, &state)) return ZR_NO_MEMORY;
         if (file->mtl && zr_mtl_status(file->mtl) != ZR_OK) return zr_mtl_status(file->mtl);
         begin = file->names[i].face;

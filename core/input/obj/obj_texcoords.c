@@ -8,7 +8,7 @@
 
 enum {
     COPIES_MAX = 64, /* compared copies per position; further corners make one copy each */
-    FACES_A_POLL = 1 << 14
+    FACES_PER_CANCEL_CHECK = 1 << 14
 };
 
 struct placing {
@@ -53,7 +53,7 @@ static bool place_corners(struct placing *placing)
     struct zr_obj_file *file = placing->file;
     for (uint32_t face = 0; face < file->total.faces; face++) {
         bool is_missing = false;
-        if (face % FACES_A_POLL == 0 && zr_is_cancelled(file->cancel)) return false;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(file->cancel)) return false;
         if (!is_textured(placing, face)) continue;
         for (uint32_t slot = file->face_offsets[face]; slot < file->face_offsets[face + 1]; slot++) {
             const uint32_t texcoord = file->texcoord_indices ? file->texcoord_indices[slot] : ZR_OBJ_NO_TEXCOORD;

@@ -1,7 +1,7 @@
 /* Faces of PLY: growing arrays, and binary triangles, which all threads read. */
-#include "input/text/parts.h"
 #include "input/ply/ply_file.h"
 #include "input/ply/ply_values.h"
+#include "input/text/parts.h"
 
 /* Read in a tenth of a millisecond. */
 #ifndef ZR_PLY_PART_TRIANGLES /* smaller in tests/unit/formats/test_ply_parts.c */

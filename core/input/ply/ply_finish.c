@@ -4,7 +4,7 @@
 #include "input/ply/ply_file.h"
 #include "input/text/text.h"
 
-enum { ITEMS_A_LOOK = 1 << 16 };
+enum { ITEMS_PER_CANCEL_CHECK = 1 << 16 };
 
 /* A float colour above this means a range of 0 to 255, not a rounding error at 1. */
 static const float BRIGHT = 2.0f;
@@ -27,7 +27,7 @@ static void warn_of_first(struct zr_scene_builder *builder, size_t count, const 
 
 static bool looks_cancelled(const struct zr_ply_file *file, size_t i)
 {
-    return i % ITEMS_A_LOOK == 0 && zr_is_cancelled(file->cancel);
+    return i % ITEMS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(file->cancel);
 }
 
 /* ---- holes ---- */

@@ -2,12 +2,12 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "input/text/number.h"
 #include "input/ply/ply_file.h"
 #include "input/ply/ply_values.h"
+#include "input/text/number.h"
 #include "input/text/text.h"
 
-enum { RECORDS_A_LOOK = 1 << 10, VALUES_A_LOOK = 1 << 12, CHARACTERS_A_LOOK = 1 << 18 };
+enum { RECORDS_PER_CANCEL_CHECK = 1 << 10, VALUES_PER_CANCEL_CHECK = 1 << 12, CHARACTERS_PER_CANCEL_CHECK = 1 << 18 };
 
 struct reader {
     struct zr_ply_file *file;
@@ -86,7 +86,7 @@ void zr_ply_skip_comments(struct zr_ply_file *file)
     for (skip_spaces(file); is_comment(file) && !zr_is_cancelled(file->cancel); skip_spaces(file)) {
         if (file->odd.comments++ == 0) file->odd.first_comment = file->line;
         for (size_t i = 0; file->at < file->end && *file->at != '\n' && *file->at != '\r'; i++, file->at++)
-            if (i % CHARACTERS_A_LOOK == 0 && zr_is_cancelled(file->cancel)) return;
+            if (i % CHARACTERS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(file->cancel)) return;
     }
 }
 
@@ -150,7 +150,7 @@ static bool skip_values(struct reader *reader, const struct zr_ply_property *pro
         return true;
     }
     for (size_t i = 0; i < count; i++) {
-        if (i % VALUES_A_LOOK == 0 && zr_is_cancelled(file->cancel)) return false;
+        if (i % VALUES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(file->cancel)) return false;
         if (!next_text(reader, property, &value)) return false;
     }
     return true;
@@ -235,7 +235,7 @@ static bool read_list(struct reader *reader, const struct zr_ply_property *prope
     if (property != reader->plan->indices) return skip_values(reader, property, count);
     if (!check_corners(reader, count)) return false;
     for (size_t i = 0; i < count; i++) {
-        if (i % VALUES_A_LOOK == 0 && zr_is_cancelled(file->cancel)) return false;
+        if (i % VALUES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(file->cancel)) return false;
         if (!next_value(reader, property, property->type, &value) || !add_corner(reader, value)) return false;
     }
     return true;
@@ -344,7 +344,7 @@ enum zr_status zr_ply_read_records(struct zr_ply_file *file, const struct zr_ply
     if (!columns || !slots) return ZR_NO_MEMORY;
     find_slots(plan, slots);
     for (reader.record = first; reader.record < plan->element->count; reader.record++) {
-        if (reader.record % RECORDS_A_LOOK == 0 && zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
+        if (reader.record % RECORDS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
         if (reader.is_text) zr_ply_skip_comments(file);
         const size_t line = file->line;
         if (!read_record(&reader, slots) || file->error->count >= ZR_ERROR_ITEMS) break;

@@ -10,10 +10,10 @@
 #include "scene/parts/part_colors.h"
 #include "scene/parts/part_edit.h"
 
-/* STEPS_MAX: limit of compared characters. STEPS_A_CANCEL_CHECK: compared characters between checks for cancellation.
+/* STEPS_MAX: limit of compared characters. STEPS_PER_CANCEL_CHECK: compared characters between checks for cancellation.
  */
 #define STEPS_MAX (UINT64_C(1) << 28)
-enum { STEPS_A_CANCEL_CHECK = 1 << 16 };
+enum { STEPS_PER_CANCEL_CHECK = 1 << 16 };
 
 /* Number of names among which a hint is searched. */
 enum { NAMES_OFFERED = 1000 };
@@ -32,7 +32,7 @@ struct selecting {
 
 static bool goes_on(struct selecting *s)
 {
-    if (++s->steps % STEPS_A_CANCEL_CHECK == 0 && zr_is_cancelled(s->builder->arena->cancel)) s->is_cancelled = true;
+    if (++s->steps % STEPS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(s->builder->arena->cancel)) s->is_cancelled = true;
     return !s->is_cancelled && s->steps < STEPS_MAX;
 }
 

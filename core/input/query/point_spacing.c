@@ -6,9 +6,9 @@
 
 #include "scene/camera/camera.h"
 
-enum { LEVELS = 8, SIDE = 1 << (LEVELS - 1), WORD = 64, WORDS = SIDE * SIDE * SIDE / WORD, POINTS_A_RANGE = 1 << 14 };
+enum { LEVELS = 8, SIDE = 1 << (LEVELS - 1), WORD = 64, WORDS = SIDE * SIDE * SIDE / WORD, POINTS_PER_RANGE = 1 << 14 };
 
-static const double POINTS_A_CELL = 4.0, OVERLAP = 1.5, SIZES_A_SIDE = 40.0, SIZE_MOST = 64.0;
+static const double POINTS_PER_CELL = 4.0, OVERLAP = 1.5, SIZES_PER_SIDE = 40.0, SIZE_MOST = 64.0;
 
 struct grid {
     const struct zr_mesh *mesh;
@@ -70,7 +70,7 @@ static double spacing_of(const struct grid *grid, uint64_t points, uint8_t *bloc
 {
     for (uint32_t step = 1;; step *= 2) {
         const uint64_t count = count_blocks(grid, step, blocks);
-        if (step == SIDE || (double)points >= POINTS_A_CELL * (double)count)
+        if (step == SIDE || (double)points >= POINTS_PER_CELL * (double)count)
             return (double)step * sqrt((double)count / (double)points);
     }
 }
@@ -85,7 +85,7 @@ float zr_point_size_for(struct zr_arena *arena, struct zr_team *team, const stru
     const double widest =
         fmax(fmax((double)bounds.max.x - (double)bounds.min.x, (double)bounds.max.y - (double)bounds.min.y),
              (double)bounds.max.z - (double)bounds.min.z);
-    const double most = fmin(side / SIZES_A_SIDE, SIZE_MOST);
+    const double most = fmin(side / SIZES_PER_SIDE, SIZE_MOST);
     if (points == 0 || !bounds.valid) return 1.0f;
     if (!(widest > 0.0)) return (float)fmax(most, 1.0);
     struct grid grid = {.cancel = arena->cancel,
@@ -96,7 +96,7 @@ float zr_point_size_for(struct zr_arena *arena, struct zr_team *team, const stru
     if (!grid.words || !blocks) return 1.0f;
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         grid.mesh = &scene->meshes[i];
-        zr_team_ranges(team, grid.mesh->point_count, POINTS_A_RANGE, mark_range, &grid);
+        zr_team_ranges(team, grid.mesh->point_count, POINTS_PER_RANGE, mark_range, &grid);
     }
     const double spacing = spacing_of(&grid, points, blocks) / grid.per_cell;
     zr_arena_trim(arena, blocks, (size_t)SIDE * SIDE * SIDE, 0, sizeof *blocks);

@@ -6,8 +6,8 @@
 
 #include "input/formats/formats.h"
 #include "input/formats/input.h"
-#include "input/text/names.h"
 #include "input/formats/sniff.h"
+#include "input/text/names.h"
 #include "input/text/text.h"
 #include "render_request.h"
 

@@ -7,9 +7,9 @@
 #include "input/text/nearest.h"
 #include "input/text/text.h"
 #include "scene/algorithm.h"
+#include "scene/camera/mesh_up.h"
 #include "scene/colormap.h"
 #include "scene/looks.h"
-#include "scene/camera/mesh_up.h"
 
 #define WORD(ID, word, ...) word,
 static const char *const shadings[] = {ZR_SHADINGS(WORD)};

@@ -221,7 +221,7 @@ enum zr_status zr_threemf_place(struct zr_threemf *file, struct zr_scene_builder
     struct zr_nodes nodes = join(&build);
     struct zr_model_scene *scene = zr_arena_zero(file->arena, 1, sizeof *scene);
     if (!scene || !nodes.children) return ZR_NO_MEMORY;
-    const uint64_t most = (uint64_t)ZR_NODES_VISITS_AN_INSTANCE * file->limits->instances_max + nodes.count;
+    const uint64_t most = (uint64_t)ZR_NODE_VISITS_PER_INSTANCE * file->limits->instances_max + nodes.count;
     const uint64_t allowed = quick && quick->node_visits_max < most ? quick->node_visits_max : most;
     struct zr_placement placement = zr_nodes_place(file->arena, &nodes, file->limits->instances_max, allowed);
     if (placement.fault == ZR_NODES_TOO_MANY_VISITS && placement.visits <= most)

@@ -94,7 +94,7 @@ static void sum_slowly(const uint8_t *bytes, size_t size, struct zr_adler *sum)
 
 #ifdef __SSE2__
 /* Processes sixteen bytes at a time: a picture of 1920x1080 takes 0.2 ms, with zlib's adler32 2.2. */
-enum { VECTOR = 16, VECTORS_A_SUM = 16384 }; /* the lanes of `b` stay below 255 * 2 * (16 + 8) * 16384 < 2^32 */
+enum { VECTOR = 16, VECTORS_PER_SUM = 16384 }; /* the lanes of `b` stay below 255 * 2 * (16 + 8) * 16384 < 2^32 */
 
 static inline uint64_t sum_of_lanes(__m128i v)
 {
@@ -122,7 +122,7 @@ static void sum_vectors(const uint8_t *bytes, size_t count, struct zr_adler *sum
 static void sum_bytes(const uint8_t *bytes, size_t size, struct zr_adler *sum)
 {
     for (size_t some; size >= VECTOR; bytes += some * VECTOR, size -= some * VECTOR) {
-        some = size / VECTOR < VECTORS_A_SUM ? size / VECTOR : VECTORS_A_SUM;
+        some = size / VECTOR < VECTORS_PER_SUM ? size / VECTOR : VECTORS_PER_SUM;
         sum_vectors(bytes, some, sum);
     }
     sum_slowly(bytes, size, sum);

@@ -13,8 +13,8 @@
 
 #include "base/run.h"
 #include "core.h"
-#include "output/images/filter.h"
 #include "output/bytes/rows.h"
+#include "output/images/filter.h"
 
 enum { ZR_IDAT_WIDTH_MAX = 1 << 20 }; /* pixels */
 

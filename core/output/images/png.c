@@ -7,7 +7,7 @@
 #include "output/images/idat.h"
 #include "output/images/palette.h"
 
-enum { ROWS_A_CANCEL_CHECK = 64 };
+enum { ROWS_PER_CANCEL_CHECK = 64 };
 
 /* Discards warnings, which libpng would print. */
 static void ignore_warning(png_structp png, png_const_charp message)
@@ -141,7 +141,7 @@ static bool write_rows(png_structp png, const struct writing *w)
     const uint8_t *pixels = pixels_of(w);
     uint8_t *made = pixels ? NULL : png_malloc(png, stride);
     for (uint32_t y = 0; y < w->image->height; y++) {
-        if (y % ROWS_A_CANCEL_CHECK == 0 && zr_is_cancelled(w->cancel)) return false;
+        if (y % ROWS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(w->cancel)) return false;
         if (made) rows->make(rows->source, y, made, false);
         png_write_row(png, made ? made : pixels + y * stride);
     }

@@ -2,7 +2,7 @@
 
 #include "output/json/json_print.h"
 
-enum { VALUES_A_CANCEL_CHECK = 512 };
+enum { VALUES_PER_CANCEL_CHECK = 512 };
 
 static void print_value(struct zr_print *print, const struct zr_trace_value *value)
 {
@@ -35,7 +35,7 @@ enum zr_status zr_trace_json_write(const struct zr_trace *trace, const struct zr
 {
     struct zr_print print = {.out = out};
     for (size_t i = 0; i < trace->count; i++) {
-        if (i % VALUES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (i % VALUES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
         print_value(&print, &trace->values[i]);
     }
     return zr_buffer_add(out, "\n", 1) && zr_arena_ok(out->arena) ? ZR_OK : ZR_NO_MEMORY;

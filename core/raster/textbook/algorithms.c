@@ -1,6 +1,6 @@
 #include "raster/textbook/algorithms.h"
 
-enum { PRIMITIVES_A_CANCEL_CHECK = 1024 };
+enum { PRIMITIVES_PER_CANCEL_CHECK = 1024 };
 
 zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm)
 {
@@ -25,7 +25,7 @@ enum zr_status zr_primitives_make(struct zr_arena *arena, const struct zr_geomet
     *primitives = (struct zr_primitives){0, zr_arena_alloc(arena, room, sizeof *primitives->items)};
     if (!primitives->items) return ZR_NO_MEMORY;
     for (uint32_t first = 0; first < geometry->primitive_count; first += step) {
-        if (visited++ % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (visited++ % PRIMITIVES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
         struct zr_primitive *primitive = &primitives->items[primitives->count];
         draw = zr_draw_next(geometry, draw, first);
         step = zr_primitive_count(geometry, draw, first);

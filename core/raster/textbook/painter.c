@@ -23,7 +23,7 @@
 #include "raster/textbook/piece.h"
 #include "raster/textbook/trace.h"
 
-enum { PIECES_A_CANCEL_CHECK = 4096 };
+enum { PIECES_PER_CANCEL_CHECK = 4096 };
 
 struct painting {
     struct zr_pieces pieces;
@@ -315,7 +315,7 @@ static uint32_t find_hidden(struct painting *painting, struct zr_overlap *overla
             if (is_traced) trace_compare(painting, last, number, NULL);
             return 0;
         }
-        if (++steps % PIECES_A_CANCEL_CHECK == 0 && zr_is_cancelled(pieces->cancel)) return 0;
+        if (++steps % PIECES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(pieces->cancel)) return 0;
         pieces->work++;
         if (q->far < p->near || q == p || !boxes_overlap(p, q)) {
             if (is_traced && q != p) trace_compare(painting, last, number, NULL);

@@ -15,7 +15,7 @@
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
 
-enum { EDGES_A_CANCEL_CHECK = 1024 };
+enum { EDGES_PER_CANCEL_CHECK = 1024 };
 
 /* An edge of the table. */
 struct entry {
@@ -157,7 +157,7 @@ static enum zr_status begin_edges(struct zr_arena *arena, const struct table *ta
         sweep->passing_room = room;
     }
     for (size_t i = table->begins[y]; i < table->begins[y + 1]; i++) {
-        if (i % EDGES_A_CANCEL_CHECK == 0 && zr_is_cancelled(sweep->cancel)) return ZR_CANCELLED;
+        if (i % EDGES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(sweep->cancel)) return ZR_CANCELLED;
         sweep->passing[sweep->passing_count++] = make_passing(sweep, table->entries[i], y);
     }
     return ZR_OK;

@@ -11,7 +11,7 @@ static const double thickness_most = 0.04;
 /* A face counts for a side if more than this share of its area shows there. Walls of a sheet count for neither. */
 static const double shown_least = 0.5;
 
-enum { FACES_A_RANGE = 1 << 14 };
+enum { FACES_PER_RANGE = 1 << 14 };
 
 /* The presets on the positive and on the negative side of an axis. */
 static const enum zr_preset sides[3][2] = {
@@ -66,7 +66,7 @@ bool zr_face_on_find(const struct zr_scene *scene, const struct zr_bounds *bound
                                     cancel,
                                     {(double)m[axis], (double)m[axis + 4], (double)m[axis + 8]},
                                     fronts};
-        zr_team_ranges(team, counting.mesh->face_count, FACES_A_RANGE, count_range, &counting);
+        zr_team_ranges(team, counting.mesh->face_count, FACES_PER_RANGE, count_range, &counting);
     }
     *preset = sides[axis][atomic_load(&fronts[0]) < atomic_load(&fronts[1])];
     return true;

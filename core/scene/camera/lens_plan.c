@@ -98,16 +98,16 @@ static enum zr_status add_pixel(const struct zr_lens_plan *plan, uint32_t x, uin
 static enum zr_status walk_border(const struct zr_lens_plan *plan, const struct zr_cancel *cancel,
                                   struct border *border, struct zr_error *error)
 {
-    enum { PIXELS_A_CANCEL_CHECK = 1024 };
+    enum { PIXELS_PER_CANCEL_CHECK = 1024 };
     const uint32_t right = plan->view_width - 1, bottom = plan->view_height - 1;
     enum zr_status status = ZR_OK;
     for (uint32_t x = 0; status == ZR_OK && x <= right; x++) {
-        if (x % PIXELS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (x % PIXELS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
         status = add_pixel(plan, x, 0, border, error);
         if (status == ZR_OK) status = add_pixel(plan, x, bottom, border, error);
     }
     for (uint32_t y = 0; status == ZR_OK && y <= bottom; y++) {
-        if (y % PIXELS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (y % PIXELS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
         status = add_pixel(plan, 0, y, border, error);
         if (status == ZR_OK) status = add_pixel(plan, right, y, border, error);
     }

@@ -9,7 +9,7 @@
 static const double tolerance = 1e-3;
 static const double least_support = 0.25, least_gain = 2.0;
 
-enum { FACES_A_CANCEL_CHECK = 1 << 12 };
+enum { FACES_PER_CANCEL_CHECK = 1 << 12 };
 
 zr_mat4 zr_mesh_up_turn(enum zr_mesh_up up)
 {
@@ -55,7 +55,7 @@ static void add_faces(const struct zr_mesh *mesh, const struct box *box, const s
                       double areas[3][2])
 {
     for (uint32_t face = 0; face < mesh->face_count; face++) {
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
+        if (face % FACES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
         add_face(mesh, face, box, areas);
     }
 }

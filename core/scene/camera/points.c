@@ -3,7 +3,7 @@
 #include <string.h>
 
 /* Least points of a claim, a fraction of a millisecond of work; claims per thread. */
-enum { POINTS_A_RANGE = 1 << 14, RANGES_A_THREAD = 8 };
+enum { POINTS_PER_RANGE = 1 << 14, RANGES_PER_THREAD = 8 };
 
 /* Points per call of `measure`. */
 enum { POINTS_AT_ONCE = 256 };
@@ -98,8 +98,8 @@ void zr_points_most(const struct zr_points *points, zr_points_measure_fn *measur
     struct search search = {points, measure, context, found};
     const size_t count = count_points(points), threads = (size_t)zr_team_size(points->team);
     /* Few ranges: each call of search_range skips instances from the first one on. */
-    size_t range = threads > 1 ? count / (threads * RANGES_A_THREAD) : count;
-    if (range < POINTS_A_RANGE) range = POINTS_A_RANGE;
+    size_t range = threads > 1 ? count / (threads * RANGES_PER_THREAD) : count;
+    if (range < POINTS_PER_RANGE) range = POINTS_PER_RANGE;
     for (size_t t = 0; t < threads; t++)
         for (int k = 0; k < ZR_MEASURES; k++)
             found[t].most[k] = -HUGE_VAL;

@@ -27,7 +27,7 @@ enum zr_status zr_resolved_view_find(const struct zr_run *run, const struct zr_s
     return zr_flow_camera_find(run, scene, &resolved->camera, &resolved->flow_camera);
 }
 
-enum { PIXELS_A_CANCEL_CHECK = 1 << 16 };
+enum { PIXELS_PER_CANCEL_CHECK = 1 << 16 };
 
 /* Tolerance of window depth: rounding may move a depth on the near or far plane beyond it. */
 static const double rounding = 1e-5;
@@ -65,7 +65,7 @@ enum zr_status zr_base_place(const struct zr_run *run, const struct zr_scene *sc
     uint64_t clamped = 0;
     const struct rows rows = {(double)m[10], (double)m[14], (double)m[11], (double)m[15]};
     for (size_t i = 0; i < pixels; i++) {
-        if (i % PIXELS_A_CANCEL_CHECK == 0 && zr_is_cancelled(run->arena->cancel)) return ZR_CANCELLED;
+        if (i % PIXELS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(run->arena->cancel)) return ZR_CANCELLED;
         made[i] = window_depth(&rows, scene->base->depth[i], &clamped);
     }
     *base = *scene->base;

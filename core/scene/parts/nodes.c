@@ -3,7 +3,7 @@
 #include "base/cancel.h"
 
 /* About 0.1 ms of work. */
-enum { VISITS_A_CANCEL_CHECK = 4096 };
+enum { VISITS_PER_CANCEL_CHECK = 4096 };
 
 /* Counts of a node and the nodes below it, valid once DONE. */
 struct tally {
@@ -34,7 +34,7 @@ static bool fail(struct placing *placing, enum zr_nodes_fault fault, uint32_t no
 
 static bool is_stopped(struct placing *placing)
 {
-    return ++placing->steps % VISITS_A_CANCEL_CHECK == 0 && zr_is_cancelled(placing->cancel);
+    return ++placing->steps % VISITS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(placing->cancel);
 }
 
 static uint64_t add_saturating(uint64_t a, uint64_t b)

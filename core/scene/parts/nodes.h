@@ -22,7 +22,7 @@ enum { ZR_NODES_DEPTH_MAX = 256 };
 /* A visit is one node on one path from a root to a mesh, and costs one product of matrices. Without shared nodes, there
  * is at most one visit per node. The limit of visits is this number per instance of the limit, plus the number of
  * nodes. */
-enum { ZR_NODES_VISITS_AN_INSTANCE = 32 };
+enum { ZR_NODE_VISITS_PER_INSTANCE = 32 };
 
 struct zr_node {
     zr_mat4 local;                     /* to the parent's space; entries within ZR_MATRIX_MAX */

@@ -1,12 +1,12 @@
 #include "scene/parts/part_mesh.h"
 #include "base/cancel.h"
 
-enum { ITEMS_A_CANCEL_CHECK = 1 << 12 };
+enum { ITEMS_PER_CANCEL_CHECK = 1 << 12 };
 
-/* Checks for cancellation at every ITEMS_A_CANCEL_CHECK-th item. */
+/* Checks for cancellation at every ITEMS_PER_CANCEL_CHECK-th item. */
 static bool is_stopped(const struct zr_arena *arena, uint64_t item)
 {
-    return item % ITEMS_A_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel);
+    return item % ITEMS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel);
 }
 
 /* Factors of a ghost's opacity. The second one is for the shading xray, which is translucent by itself. */

@@ -3,7 +3,7 @@
 #include "base/cancel.h"
 #include "base/dvec3.h"
 
-enum { POINTS_A_CANCEL_CHECK = 1 << 14 };
+enum { POINTS_PER_CANCEL_CHECK = 1 << 14 };
 
 struct box {
     double min[3], max[3];
@@ -38,7 +38,7 @@ static bool add_faces(const struct zr_mesh *mesh, const zr_mat4 *matrix, const s
     uint32_t corner = 0;
     for (uint32_t f = 0; f < mesh->face_count; f++)
         for (; corner < mesh->face_offsets[f + 1]; corner++) {
-            if (corner % POINTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+            if (corner % POINTS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
             add_point(&boxes[mesh->face_parts[f]], matrix, mesh->positions[mesh->indices[corner]]);
         }
     return true;
@@ -48,7 +48,7 @@ static bool add_positions(const struct zr_mesh *mesh, const zr_mat4 *matrix, con
                           struct box *box)
 {
     for (uint32_t i = 0; i < mesh->position_count; i++) {
-        if (i % POINTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (i % POINTS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         add_point(box, matrix, mesh->positions[i]);
     }
     return true;

@@ -8,8 +8,8 @@
 
 #include "base/isa.h"
 #include "scene/scene.h"
-#include "shade/lights/gbuffer.h"
 #include "shade/lights/environment.h"
+#include "shade/lights/gbuffer.h"
 #include "shade/lights/lamp.h"
 
 /* Values that are constant over the picture. */

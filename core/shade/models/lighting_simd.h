@@ -3,9 +3,9 @@
 #define ZR_LIGHTING_SIMD_H
 
 #include "base/inlined.h"
+#include "base/srgb_color_simd.h"
 #include "shade/models/classic_simd.h"
 #include "shade/models/pbr_simd.h"
-#include "base/srgb_color_simd.h"
 
 /* Values kept from vector to vector, since most vectors have the colour and material of the one before. Recomputed for
  * every 64 samples, they took a sixteenth of the time. */

@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "bench/http/process.h"
-#include "bench/series.h"
 #include "bench/http/service.h"
 #include "bench/http/wire.h"
+#include "bench/series.h"
 #include "server/support/daemon.h"
 
 enum { OURS, THEIRS, SIDES };

@@ -7,8 +7,8 @@
 #include <string.h>
 #include <time.h>
 
-#include "bench/series.h"
 #include "bench/http/service.h"
+#include "bench/series.h"
 #include "server/support/client.h"
 #include "support/input/base64.h"
 #include "support/pictures/png.h"

@@ -5,11 +5,11 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "bench/http/service.h"
+#include "bench/http/wire.h"
 #include "bench/input/documents.h"
 #include "bench/input/meshes.h"
 #include "bench/series.h"
-#include "bench/http/service.h"
-#include "bench/http/wire.h"
 #include "server/support/client.h"
 
 enum { OURS, ALONE, THEIRS, TIMES };

@@ -4,10 +4,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "bench/http/wire.h"
 #include "bench/looks.h"
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/http/wire.h"
 #include "bench/works.h"
 #include "reference/models.h"
 #include "server/support/daemon.h"

@@ -6,9 +6,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "bench/series.h"
 #include "bench/http/service.h"
 #include "bench/http/wire.h"
+#include "bench/series.h"
 #include "server/support/client.h"
 #include "support/files.h"
 

@@ -5,10 +5,10 @@
 #include <string.h>
 #include <time.h>
 
-#include "bench/input/documents.h"
-#include "bench/series.h"
 #include "bench/http/service.h"
 #include "bench/http/wire.h"
+#include "bench/input/documents.h"
+#include "bench/series.h"
 #include "bench/works.h"
 #include "server/support/client.h"
 

@@ -9,11 +9,11 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "bench/input/documents.h"
 #include "bench/http/load.h"
-#include "bench/series.h"
 #include "bench/http/service.h"
 #include "bench/http/wire.h"
+#include "bench/input/documents.h"
+#include "bench/series.h"
 #include "bench/works.h"
 #include "server/support/client.h"
 #include "support/input/base64.h"

@@ -7,7 +7,7 @@
 #include "bench/series.h"
 #include "bench/versus/sides.h"
 
-enum { OURS, THEIRS, SIDES, THREADS_MAX = 2, SIDE = 4, ROWS_A_RANGE = 16 };
+enum { OURS, THEIRS, SIDES, THREADS_MAX = 2, SIDE = 4, ROWS_PER_RANGE = 16 };
 
 /* Of two: culled and smooth, two-sided and flat. */
 static const struct {
@@ -95,7 +95,7 @@ static bool draw_theirs(struct sampling *s)
 {
     struct reference_error error = {""};
     if (!theirs_draw(&s->theirs) || !reference_read(s->theirs.reference, s->large, NULL, &error)) return false;
-    zr_team_ranges(s->ours.team, s->height, ROWS_A_RANGE, average_rows, s);
+    zr_team_ranges(s->ours.team, s->height, ROWS_PER_RANGE, average_rows, s);
     return true;
 }
 

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/versus/likeness.h"
 #include "bench/machine.h"
 #include "bench/series.h"
+#include "bench/versus/likeness.h"
 #include "bench/versus/sides.h"
 #include "reference/compare.h"
 

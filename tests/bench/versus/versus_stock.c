@@ -2,11 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/http/service.h"
+#include "bench/http/wire.h"
 #include "bench/machine.h"
 #include "bench/series.h"
-#include "bench/http/service.h"
 #include "bench/versus/stock_path.h"
-#include "bench/http/wire.h"
 #include "bench/works.h"
 #include "server/support/daemon.h"
 #include "support/pictures/png.h"

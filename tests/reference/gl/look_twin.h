@@ -15,7 +15,7 @@
 
 /* Ours may be off by so many steps of 255, since float rounds; but in so few pixels, beside one in many, that nothing
  * else is. */
-enum { LOOK_TWIN_SLACK = 1, LOOK_TWIN_NEAR_MAX = 2, LOOK_TWIN_PIXELS_A_NEAR = 20000 };
+enum { LOOK_TWIN_SLACK = 1, LOOK_TWIN_NEAR_MAX = 2, LOOK_TWIN_PIXELS_PER_NEAR = 20000 };
 
 /* What of the scene's picture has no twin, for people; NULL: its colours can be compared. */
 const char *look_twin_lacks(const struct zr_scene *scene);

@@ -7,9 +7,9 @@
 
 #include "reference/generate/batches.h"
 #include "reference/gl/glsl_unit.h"
-#include "reference/interpolation.h"
 #include "reference/gl/layers_twin.h"
 #include "reference/gl/reference_program.h"
+#include "reference/interpolation.h"
 #include "reference/subject.h"
 
 /* How much may be off, in losses of interpolation.h. RULES.md has what was measured. */

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "input/text/base64.h"
 #include "input/codecs/draco.h"
+#include "input/text/base64.h"
 #include "support/input/draco_streams.h"
 
 enum { DRACO_STREAMS = sizeof draco_streams / sizeof *draco_streams, DRACO_BYTES_MOST = 4096 };

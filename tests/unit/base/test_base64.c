@@ -2,11 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "unit/common/guarded.h"
 #include "input/text/base64.h"
 #include "support/input/base64.h"
 #include "support/random.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
 
 /* Decodes from a guard page to one: a byte too far on either side is a crash. */
 static bool decode(const char *text, size_t size, unsigned char *out, size_t *used)

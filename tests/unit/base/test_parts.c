@@ -1,6 +1,6 @@
 /* Parts that threads read, up to the first that cannot be. */
-#include "unit/common/by_teams.h"
 #include "support/tests.h"
+#include "unit/common/by_teams.h"
 
 enum { PARTS = 1000 };
 

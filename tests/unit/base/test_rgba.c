@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "base/rgba.h"
-#include "unit/common/guarded.h"
 #include "support/random.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
 
 TEST(color_byte_rounds_to_nearest_even_and_clamps)
 {

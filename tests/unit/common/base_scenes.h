@@ -6,8 +6,8 @@
 #include <math.h>
 
 #include "input_check.h"
-#include "output/npy.h"
 #include "output/images/png.h"
+#include "output/npy.h"
 #include "shade/frame.h"
 #include "support/input/base64.h"
 #include "support/scenes.h"

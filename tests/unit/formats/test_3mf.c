@@ -1,9 +1,9 @@
 /* Reads 3MF: meshes, instances, colours and warnings. Refusals: tests/refusals/3mf.txt. */
-#include "unit/common/input_check.h"
 #include "scene/texture.h"
+#include "support/input/zip_file.h"
 #include "support/pictures/png.h"
 #include "support/tests.h"
-#include "support/input/zip_file.h"
+#include "unit/common/input_check.h"
 
 #define CORE       "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
 #define MATERIAL   "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "

@@ -1,10 +1,10 @@
 /* Tests the decoder of Draco meshes: every kind of connectivity and prediction, refusals, and broken bytes. */
 #include <math.h>
 
-#include "unit/common/guarded.h"
 #include "support/input/draco_check.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
 
 TEST_ARENA((size_t)1 << 26)
 

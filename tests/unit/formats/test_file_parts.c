@@ -1,9 +1,9 @@
 /* input/files/file_parts.h and zr_references_list: files that a file refers to. */
 #include "core.h"
-#include "unit/common/guarded.h"
 #include "input/files/file_parts.h"
 #include "input/scene/json_scene.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
 
 enum { CEILING = 1 << 24 };
 

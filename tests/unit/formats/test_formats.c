@@ -5,8 +5,8 @@
 
 #include "input/formats/formats.h"
 #include "input/formats/sniff.h"
-#include "unit/common/input_check.h"
 #include "support/tests.h"
+#include "unit/common/input_check.h"
 
 TEST(each_media_type_leads_to_its_format)
 {

@@ -1,7 +1,7 @@
 /* Tests the scenes of glTF files: numbers of accessors, nodes, materials and warnings. */
+#include "support/tests.h"
 #include "unit/common/input_check.h"
 #include "unit/common/kept_check.h"
-#include "support/tests.h"
 
 /* Bytes of the part "b": four corners of a square, indices, colours, and pairs of coordinates. */
 static struct {

@@ -1,6 +1,6 @@
 /* Tests primitives of glTF that are compressed by KHR_draco_mesh_compression. */
-#include "unit/common/input_check.h"
 #include "support/tests.h"
+#include "unit/common/input_check.h"
 
 /* Part "d": two triangles of a square as a Draco mesh whose numbers are not coded. Attribute 7: positions; 1: colours;
  * 4: 16-bit integers. */

@@ -1,6 +1,6 @@
 /* Tests the lights of glTF files: units, places, and the parameter that uses them. */
-#include "unit/common/input_check.h"
 #include "support/tests.h"
+#include "unit/common/input_check.h"
 
 static const float corners[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 static struct zr_asset parts[] = {{.name = "b", .bytes = corners, .size = sizeof corners}};

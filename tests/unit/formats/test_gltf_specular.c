@@ -1,7 +1,7 @@
 /* Tests the materials of glTF files whose extensions describe the reflection of plastics. */
-#include "unit/common/input_check.h"
 #include "support/pictures/png.h"
 #include "support/tests.h"
+#include "unit/common/input_check.h"
 
 static const float corners[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 static struct zr_asset parts[] = {{.name = "b", .bytes = corners, .size = sizeof corners}};

@@ -1,8 +1,8 @@
 /* Tests OBJ with its materials: values, textures, names and faults of MTL, and the parts that o and g name. */
-#include "unit/common/input_check.h"
-#include "unit/common/kept_check.h"
 #include "support/input/mtl_pictures.h"
 #include "support/tests.h"
+#include "unit/common/input_check.h"
+#include "unit/common/kept_check.h"
 
 #define FILE_OF(name_, text)                                                                                           \
     {                                                                                                                  \

@@ -1,9 +1,9 @@
 /* Faulty OBJ is drawn like another text without the faults, with a warning that strict turns into an error. */
 #include "input/formats/input.h"
-#include "unit/common/input_check.h"
 #include "support/files.h"
 #include "support/scenes.h"
 #include "support/tests.h"
+#include "unit/common/input_check.h"
 
 #define V     "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 #define F     "f 1 2 3\n"

@@ -1,10 +1,10 @@
 /* Reads binary PLY in parts by several threads; compares with the same meshes in ASCII. */
 #include <math.h>
 
-#include "unit/common/by_teams.h"
 #include "input/formats/formats.h"
 #include "input/ply/ply_values.h"
 #include "support/tests.h"
+#include "unit/common/by_teams.h"
 
 enum { FAULTS_MAX = 30, VERTEX_BYTES = 15, FACE_BYTES = 13 };
 

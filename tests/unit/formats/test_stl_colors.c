@@ -1,8 +1,8 @@
 /* Colours of facets in binary STL: detection of the dialects, and the colours in the picture. */
 #include <stdio.h>
 
-#include "unit/common/by_teams.h"
 #include "support/tests.h"
+#include "unit/common/by_teams.h"
 
 enum { FACETS = 4, MANY = 20000, HEADER = 80, TRIANGLE = 50 };
 

@@ -2,9 +2,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "unit/common/input_check.h"
 #include "support/files.h"
 #include "support/tests.h"
+#include "unit/common/input_check.h"
 
 #define VERTICES "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 0\n"
 #define HEAD     "facet normal 0 0 1\nouter loop\n"

@@ -1,7 +1,7 @@
 /* Depth, distance and position where a corner has a w that is tiny beside those of the others. */
-#include "unit/common/input_check.h"
 #include "support/isas.h"
 #include "support/scenes.h"
+#include "unit/common/input_check.h"
 #include <math.h>
 #include <stdio.h>
 

@@ -2,9 +2,9 @@
 #include <webp/decode.h>
 #include <webp/encode.h>
 
-#include "unit/common/image_check.h"
 #include "support/random.h"
 #include "support/tests.h"
+#include "unit/common/image_check.h"
 
 enum { WIDTH = 37, HEIGHT = 21, KINDS = 4 }; /* bit 0: lossless; bit 1: opaque */
 

@@ -1,10 +1,10 @@
 /* input/query/zip_body.h: ZIP archives as bodies. */
 #include "base/cancel.h"
+#include "support/input/npy.h"
+#include "support/input/zip_file.h"
+#include "support/tests.h"
 #include "unit/common/input_check.h"
 #include "unit/common/kept_check.h"
-#include "support/input/npy.h"
-#include "support/tests.h"
-#include "support/input/zip_file.h"
 
 #define GLTF_OF(uri)                                                                                                   \
     "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":"          \

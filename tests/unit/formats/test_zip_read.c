@@ -1,9 +1,9 @@
 /* input/zip/zip_read.h: reads valid archives, refuses others. */
 #include "base/cancel.h"
-#include "unit/common/guarded.h"
 #include "input/zip/zip_read.h"
-#include "support/tests.h"
 #include "support/input/zip_file.h"
+#include "support/tests.h"
+#include "unit/common/guarded.h"
 
 enum { TEXT_SIZE = 100000, CEILING = 1 << 24 };
 

@@ -1,10 +1,10 @@
 /* Faces of every shape, cut into triangles: corners lie on a grid of integers, so that areas are exact. */
 #include <string.h>
 
-#include "unit/common/face_shapes.h"
 #include "geometry/triangulate.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
+#include "unit/common/face_shapes.h"
 
 enum { TRIANGLES_MAX = CORNERS_MAX + 2 * RINGS_MAX };
 

@@ -1,9 +1,9 @@
 #include <dirent.h>
 
-#include "unit/common/guarded.h"
-#include "unit/common/json_strict.h"
 #include "support/files.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
+#include "unit/common/json_strict.h"
 
 static struct zr_error error;
 

@@ -1,8 +1,8 @@
 /* alphaMode and alphaCutoff in JSON, and the warning of an alpha without an alphaMode. */
-#include "unit/common/json_check.h"
+#include "support/input/zip_file.h"
 #include "support/pictures/png.h"
 #include "support/tests.h"
-#include "support/input/zip_file.h"
+#include "unit/common/json_check.h"
 
 TEST(alpha_gives_one_warning)
 {

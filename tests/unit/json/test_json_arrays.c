@@ -1,8 +1,8 @@
 /* Arrays in place of lists: their floats are those of the same numbers in JSON, at any alignment, within limits of
  * memory and time. tests/refusals/json-arrays.txt has the refusals. */
-#include "unit/common/input_check.h"
 #include "support/input/npy.h"
 #include "support/tests.h"
+#include "unit/common/input_check.h"
 
 #define SCENE(positions) "{\"meshes\":[{\"positions\":" positions ",\"points\":[0,1]}]}"
 #define ASSET            SCENE("{\"asset\":\"a\"}")

@@ -1,7 +1,7 @@
 #include <math.h>
 
-#include "unit/common/json_check.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 TEST(direction_of_a_light_may_have_any_length)
 {

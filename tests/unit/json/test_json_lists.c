@@ -1,8 +1,8 @@
 /* The large lists of a scene, which are read from the text itself: in every spelling the same scene, and no more
  * memory than they need. */
+#include "support/tests.h"
 #include "unit/common/json_texts.h"
 #include "unit/common/same_scene.h"
-#include "support/tests.h"
 
 TEST(every_spelling_gives_the_same_scene)
 {

@@ -2,10 +2,10 @@
 #include <cjson/cJSON.h>
 #include <math.h>
 
+#include "support/tests.h"
 #include "unit/common/json_strict.h"
 #include "unit/common/json_texts.h"
 #include "unit/common/mutate.h"
-#include "support/tests.h"
 
 /* ---- an oracle: cJSON's tree, and the contract for meshes of positions and faces ---- */
 

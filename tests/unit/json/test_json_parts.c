@@ -3,11 +3,11 @@
 #define ZR_JSON_PART_BYTES 48
 #include "input/json/json_list.c"
 
+#include "support/sanitized.h"
+#include "support/tests.h"
 #include "unit/common/by_teams.h"
 #include "unit/common/json_texts.h"
 #include "unit/common/mutate.h"
-#include "support/sanitized.h"
-#include "support/tests.h"
 
 /* TEXTS=40000 in the environment takes a minute; sanitizers take ten and a hundred times as long. */
 enum { TEXTS = IS_THREAD_SANITIZED ? 400 : IS_SANITIZED ? 2000 : 8000 };

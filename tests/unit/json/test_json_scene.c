@@ -1,6 +1,6 @@
 #include "scene/output.h"
-#include "unit/common/json_check.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 TEST(smallest_scene_has_defaults)
 {

@@ -1,10 +1,10 @@
 /* Large lists that several threads read: the same scenes, the same complaints. */
 #include <string.h>
 
-#include "unit/common/by_teams.h"
-#include "unit/common/json_texts.h"
 #include "support/sanitized.h"
 #include "support/tests.h"
+#include "unit/common/by_teams.h"
+#include "unit/common/json_texts.h"
 
 /* ThreadSanitizer makes texts thirty times as slowly. */
 #if IS_THREAD_SANITIZED

@@ -1,6 +1,6 @@
 /* Textures of materials, and what meshes need for them. */
-#include "unit/common/json_check.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 /* Red, green; blue, white. */
 #define IMAGE                                                                                                          \

@@ -1,7 +1,7 @@
 /* What a scene says of its views and outputs. */
 #include "scene/output.h"
-#include "unit/common/json_check.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 static struct zr_view view_of(const char *view)
 {

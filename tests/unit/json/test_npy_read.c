@@ -1,12 +1,12 @@
 /* Arrays as numpy.save writes them, and everything that is not quite one. */
 #include <string.h>
 
-#include "unit/common/guarded.h"
 #include "input/json/npy_read.h"
 #include "output/npy.h"
 #include "support/random.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
 
 enum { FILE_MAX = 4096 };
 

@@ -108,7 +108,8 @@ TEST(what_hides_everything_is_the_reason_given)
         "\"meshes\": [" CUBE "}]}";
     char text[1024];
     snprintf(text, sizeof text, cut, "2.5");
-    assert_says(text, "thickness", "nothing is visible: the near plane (znear) cuts off the faces that face the camera");
+    assert_says(text, "thickness",
+                "nothing is visible: the near plane (znear) cuts off the faces that face the camera");
     snprintf(text, sizeof text, cut, "1");
     assert_says(text, "thickness", NULL);
     assert_says("{" SMALL "\"view\": {\"eye\": [0,0,-5]}, " POLYGONS "}", "depth", "every face in view faces away");

@@ -1,7 +1,7 @@
 /* sRGB is that of its definition; limits of tone mapping. */
-#include "unit/common/lit_samples.h"
 #include "support/isas.h"
 #include "support/pictures/look_kernel.h"
+#include "unit/common/lit_samples.h"
 
 enum { COUNT = 1 << 16 };
 

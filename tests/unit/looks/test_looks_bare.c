@@ -1,8 +1,8 @@
 /* Looks of bare meshes. */
 #include "base/team.h"
-#include "unit/common/looks_check.h"
 #include "support/scenes.h"
 #include "support/tests.h"
+#include "unit/common/looks_check.h"
 
 #define MESH "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n"
 

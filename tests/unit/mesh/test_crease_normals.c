@@ -1,7 +1,7 @@
 /* Normals of corners: of any size, and of numbers that are none. */
+#include "support/isas.h"
 #include "unit/common/crease_check.h"
 #include "unit/common/guarded.h"
-#include "support/isas.h"
 
 enum { FACES_MOST = 6000, CORNERS_MOST = 6 * FACES_MOST, PLACES_MOST = 2000 };
 

@@ -5,13 +5,13 @@
 #include <stdlib.h>
 
 #include "base/matrix.h"
-#include "unit/common/drawn_models.h"
-#include "sections/sections.h"
 #include "scene/camera/rays.h"
+#include "sections/sections.h"
 #include "support/random.h"
 #include "support/scenes.h"
 #include "support/solids.h"
 #include "support/test_arena.h"
+#include "unit/common/drawn_models.h"
 
 TEST_ARENA((size_t)1 << 29)
 

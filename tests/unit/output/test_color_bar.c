@@ -4,13 +4,13 @@
 #include <string.h>
 
 #include "base/rgba.h"
-#include "unit/common/json_check.h"
-#include "output/npy.h"
 #include "output/images/png.h"
+#include "output/npy.h"
 #include "overlay/glyphs.h"
 #include "support/pictures/png.h"
 #include "support/scenes.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 static const struct zr_color_bar plain_bar = {.is_on = true};
 

@@ -1,10 +1,10 @@
 /* The encoding svg: units, widths, parts and warnings. Every team and instruction set gives the same bytes. */
 #include <math.h>
 
-#include "unit/common/json_check.h"
 #include "support/scenes.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 TEST_ARENA(1 << 26)
 

@@ -1,7 +1,7 @@
 /* Polylines as SVG: groups, numbers, names, widths. */
-#include "unit/common/drawn_models.h"
 #include "output/svg.h"
 #include "support/test_arena.h"
+#include "unit/common/drawn_models.h"
 
 TEST_ARENA(1 << 24)
 

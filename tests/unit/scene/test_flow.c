@@ -3,10 +3,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "unit/common/json_check.h"
-#include "unit/common/ray_check.h"
 #include "support/scenes.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
+#include "unit/common/ray_check.h"
 
 #define VIEW_HERE  "{\"eye\": [3, 2, 4], \"target\": [0.5, 0.5, 0.5], \"perspective\": {\"yfovDegrees\": 50}}"
 #define VIEW_THERE "{\"eye\": [4.5, 1, 1], \"target\": [0.4, 0.5, 0.5], \"perspective\": {\"yfovDegrees\": 32}}"

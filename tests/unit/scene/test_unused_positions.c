@@ -1,10 +1,10 @@
 /* Positions that nothing of their mesh is drawn at: the picture, its bounds and its warnings are those without them. */
 #include <string.h>
 
-#include "unit/common/json_check.h"
 #include "scene/camera/resolved_view.h"
 #include "support/scenes.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
 
 #define WINDOW "{\"window\": {\"width\": 32, \"height\": 24}, \"outputs\": [{\"channel\": \"depth\"}], "
 #define TALL   "[0,0,0],[1,0,0],[0,1,0],[0,0,2]"

@@ -2,10 +2,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "unit/common/guarded.h"
 #include "routes/multipart.h"
 #include "support/random.h"
 #include "support/tests.h"
+#include "unit/common/guarded.h"
 
 #define B       "--AaB03x\r\n"
 #define END     "\r\n--AaB03x--\r\n"

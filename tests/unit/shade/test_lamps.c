@@ -2,9 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "unit/common/lit_samples.h"
 #include "shade/lights/light.h"
 #include "support/tests.h"
+#include "unit/common/lit_samples.h"
 
 enum { LIGHTS = 6, POINTS = 1001 };
 

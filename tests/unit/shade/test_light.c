@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "unit/common/guarded.h"
 #include "mesh/face_normals.h"
 #include "support/isas.h"
 #include "support/random.h"
+#include "unit/common/guarded.h"
 
 enum { MOST = 150 };
 

@@ -1,7 +1,7 @@
 /* The kernel that lights samples: it writes its samples only, and any input gives a colour. */
-#include "unit/common/lit_samples.h"
 #include "scene/looks.h"
 #include "support/isas.h"
+#include "unit/common/lit_samples.h"
 
 enum { MATERIALS = 24, LAMPS = 4, PLACED = 3 };
 

@@ -3,10 +3,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "unit/common/json_check.h"
-#include "unit/common/ray_check.h"
 #include "support/scenes.h"
 #include "support/tests.h"
+#include "unit/common/json_check.h"
+#include "unit/common/ray_check.h"
 
 #define OUTPUTS(NAMES) "\"window\": {\"width\": 96, \"height\": 80}, \"outputs\": [" NAMES "], "
 #define NOCS           "{\"channel\": \"position\", \"space\": \"nocs\"}"

@@ -1,6 +1,6 @@
 /* Limits of lit surfaces: a white furnace loses and gains nothing, lamps behind a surface do not light it. */
-#include "unit/common/lit_samples.h"
 #include "support/isas.h"
+#include "unit/common/lit_samples.h"
 
 enum { MATERIALS = 64 };
 
