@@ -1,7 +1,7 @@
 /* request.h - a request from its header to its answer, and the data shared by all requests. No sockets, no threads.
  *
  *     router_open    headers       -> an immediate answer, or REQUEST_WORK
- *     router_work    headers, body -> an answer, on a worker, since it takes long or waits for the disk;
+ *     route->work    headers, body -> an answer, on a worker, since it takes long or waits for the disk;
  *                                     or, with small_only, REQUEST_LARGE
  */
 #ifndef ZRASTERD_REQUEST_H
@@ -84,7 +84,7 @@ struct request {
     bool gzip;                                                   /* set by router_open: the body is compressed */
     int64_t expires_s; /* set by router_open: end of the address, in seconds since 1970; 0: none */
     bool is_private;   /* set by router_open: a token opened it; shared caches must not keep the answer */
-    const char *body;  /* set by the caller of router_work */
+    const char *body;  /* set before the work */
     size_t body_size;
     bool small_only; /* set on the express (queue.h): a request that turns out to be large is given up */
 
@@ -115,6 +115,18 @@ void request_take_trace(struct request *request, struct service *service, const 
 /* REQUEST_LARGE: small_only is set and the request is large; there is no answer yet. */
 enum request_next { REQUEST_ANSWERED, REQUEST_WORK, REQUEST_LARGE };
 
+/* Work on a request whose body is here. */
+struct work {
+    const struct service *service;
+    const struct request *request;
+    struct zr_arena *arena; /* the answer does not point into it */
+    /* With small_only, `cancel` has a parent, which is raised when the request has run too long for a small one. It is
+     * read to its end all the same, by `reading`, the parent of that: only then is it known whether it is large. */
+    const struct zr_cancel *cancel, *reading;
+    struct step_times *times; /* queue_ms is input, the others are output */
+    struct answer *answer;
+};
+
 /* Larger bodies are never small requests. */
 enum { REQUEST_SMALL_BYTES = 64 << 10 };
 
@@ -127,9 +139,8 @@ struct route {
     bool (*open)(const struct service *service, const struct load *load, struct request *request,
                  struct answer *answer);
 
-    /* Like router_work. NULL: `open` answers. */
-    enum request_next (*work)(const struct service *service, const struct request *request, struct zr_arena *arena,
-                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
+    /* Returns REQUEST_ANSWERED or REQUEST_LARGE. Thread-safe. NULL: `open` answers. */
+    enum request_next (*work)(const struct work *work);
     bool makes_answer;     /* `work` makes a large answer in memory */
     bool has_plain_errors; /* errors are text/plain */
     bool is_signed;        /* needs a signature or a token, if there are keys */

@@ -148,12 +148,6 @@ enum request_next router_open(const struct service *service, const struct load *
     return REQUEST_ANSWERED;
 }
 
-enum request_next router_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
-{
-    return request->route->work(service, request, arena, cancel, times, answer);
-}
-
 void router_finish(struct answer *answer, const struct service *service, const struct request *request)
 {
     origin_finish(service->config, request, answer);

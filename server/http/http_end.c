@@ -58,19 +58,19 @@ void http_log_exchange(struct exchange *exchange)
          });
 }
 
-void http_log_connection(const struct http *http, const struct connection *connection, const char *id, int status,
-                         enum refusal refusal, size_t bytes_out, const char *detail)
+void http_log_connection(const struct http *http, const struct connection *connection, const char *id,
+                         const struct answer *answer)
 {
     tell(http, &connection->peer, &connection->address,
          &(struct log_request){
              .id = id,
-             .status = status,
-             .refusal = refusal,
-             .aborted = status == 0,
-             .bytes_out = bytes_out,
+             .status = answer->status,
+             .refusal = answer->refusal,
+             .aborted = answer->status == 0,
+             .bytes_out = answer->size,
              .total_ms = (double)(clock_ms() - connection->began_ms),
              .times = NO_STEP_TIMES,
-             .detail = detail,
+             .detail = answer->detail,
          });
 }
 

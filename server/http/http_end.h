@@ -7,9 +7,9 @@
 /* Logs an exchange once. */
 void http_log_exchange(struct exchange *exchange);
 
-/* Logs an event of a connection without a request that libmicrohttpd has reported. status 0: none was sent. */
-void http_log_connection(const struct http *http, const struct connection *connection, const char *id, int status,
-                         enum refusal refusal, size_t bytes_out, const char *detail);
+/* Logs an event of a connection without a request that libmicrohttpd has reported. answer->status 0: none was sent. */
+void http_log_connection(const struct http *http, const struct connection *connection, const char *id,
+                         const struct answer *answer);
 
 /* Logs and frees an exchange that is over, for libmicrohttpd and for workers. */
 void http_close_exchange(struct exchange *exchange);

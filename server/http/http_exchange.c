@@ -34,11 +34,11 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
         struct connection *connection = *socket_context;
         if (!connection) return;
         if (connection->phase == PHASE_HEADER && framing_is_within_header(&connection->framing))
-            http_log_connection(http, connection, NULL, 0, REFUSAL_NONE, 0,
-                                "the connection ended within a request's header");
+            http_log_connection(http, connection, NULL,
+                                &(struct answer){.detail = "the connection ended within a request's header"});
         if (connections_is_within_proxy(connection) && connection->phase != PHASE_REFUSED)
-            http_log_connection(http, connection, NULL, 0, REFUSAL_NONE, 0,
-                                "the connection ended within its PROXY header");
+            http_log_connection(http, connection, NULL,
+                                &(struct answer){.detail = "the connection ended within its PROXY header"});
         connections_remove(&http->connections, connection);
         return;
     }
@@ -93,7 +93,7 @@ void http_refuse(struct http *http, struct connection *connection, int status, c
     problem_answer(&answer, status, "%s", detail);
     answer.refusal = refusal;
     router_finish(&answer, http->service, &nameless);
-    http_log_connection(http, connection, nameless.id, status, answer.refusal, answer.size, detail);
+    http_log_connection(http, connection, nameless.id, &answer);
     send_past_library(http, connection, &answer);
     answer_free(&answer);
 }
@@ -421,7 +421,7 @@ enum MHD_Result http_on_request(void *context, struct MHD_Connection *mhd, const
             struct http *http = context;
             struct answer answer = {0};
             answer_to_no_memory(&answer);
-            http_log_connection(http, connection, NULL, answer.status, answer.refusal, 0, answer.detail);
+            http_log_connection(http, connection, NULL, &answer);
             send_past_library(http, connection, &answer);
         }
         return MHD_NO;

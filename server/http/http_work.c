@@ -100,8 +100,15 @@ static void prepare_stream(struct exchange *exchange)
 
 static enum request_next begin(struct exchange *exchange, struct zr_arena *arena)
 {
-    return router_work(exchange->http->service, &exchange->request, arena, &exchange->cancel, &exchange->times,
-                       &exchange->made);
+    const struct request *request = &exchange->request;
+    const struct zr_cancel *cancel = &exchange->cancel;
+    return request->route->work(&(struct work){.service = exchange->http->service,
+                                               .request = request,
+                                               .arena = arena,
+                                               .cancel = cancel,
+                                               .reading = request->small_only ? cancel->parent : cancel,
+                                               .times = &exchange->times,
+                                               .answer = &exchange->made});
 }
 
 /* Moves a large request from the express to the workers. True: it belongs to the queue. */

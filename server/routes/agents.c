@@ -53,29 +53,16 @@ bool agents_open(const struct service *service, const struct load *load, struct 
 
 /* ---- the host of the handler ---- */
 
-struct agents {
-    const struct service *service;
-    const struct request *request;
-    struct zr_arena *arena;
-    const struct zr_cancel *cancel;
-    struct step_times *times;
-};
-
 static void *allocate(void *context, size_t size)
 {
-    const struct agents *agents = context;
-    return zr_arena_alloc(agents->arena, size, 1);
+    const struct work *work = context;
+    return zr_arena_alloc(work->arena, size, 1);
 }
 
 /* The scene is unpacked already. */
-static enum body_status unpack(const struct service *service, const struct request *request, struct zr_arena *arena,
-                               const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
+static enum body_status unpack(const struct work *work, struct zr_request *render)
 {
-    (void)service;
-    (void)arena;
-    (void)cancel;
-    (void)answer;
-    *render = *request->render;
+    *render = *work->request->render;
     return BODY_READY;
 }
 
@@ -109,14 +96,14 @@ static bool is_zip(const struct answer *answer)
 static enum mcp_draw_status draw(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn)
 {
     static const struct rendering_kind kind = {unpack, report, NULL, true};
-    const struct agents *agents = context;
+    struct work work = *(const struct work *)context;
     const struct zr_asset file = {.name = draw->file_name, .bytes = draw->file, .size = draw->file_size};
     struct zr_request scene = {.format = ZR_FORMAT_JSON,
                                .bytes = draw->scene,
                                .size = draw->scene_size,
                                .assets = &file,
                                .asset_count = draw->file_name ? 1 : 0};
-    struct request request = *agents->request;
+    struct request request = *work.request;
     struct answer *made = calloc(1, sizeof *made);
     if (!made) {
         mcp_fault(&drawn->faults, "", "out of memory");
@@ -125,8 +112,9 @@ static enum mcp_draw_status draw(void *context, const struct mcp_draw *draw, str
     request.stream = NULL;
     request.parts = ACCEPT_NO_PARTS;
     request.render = &scene;
-    const enum request_next next =
-        rendering_run(&kind, agents->service, &request, agents->arena, agents->cancel, agents->times, made);
+    work.request = &request;
+    work.answer = made;
+    const enum request_next next = rendering_run(&kind, &work);
     if (next != REQUEST_LARGE && made->status == 200 && made->bytes && !made->is_broken) {
         drawn->bytes = made->bytes;
         drawn->size = made->size;
@@ -149,21 +137,23 @@ static void release(void *context, struct mcp_drawn *drawn)
 
 /* ---- working ---- */
 
-static enum request_next answer_message(struct agents *agents, const struct zr_request *body, struct answer *answer)
+static enum request_next answer_message(const struct work *work, const struct zr_request *body)
 {
-    const struct mcp_host host = {.context = agents,
+    struct answer *answer = work->answer;
+    struct work copy = *work;
+    const struct mcp_host host = {.context = &copy,
                                   .version = ZR_VERSION,
-                                  .cancel = agents->request->small_only ? agents->cancel->parent : agents->cancel,
+                                  .cancel = work->reading,
                                   .allocate = allocate,
                                   .draw = draw,
                                   .release = release};
     const struct mcp_span message = {body->bytes, body->bytes + body->size};
     struct mcp_reply reply;
-    switch (mcp_handle(&host, message, &agents->request->mcp, &reply)) {
+    switch (mcp_handle(&host, message, &work->request->mcp, &reply)) {
     case MCP_LATER:
         return REQUEST_LARGE;
     case MCP_CANCELLED:
-        return body_next(BODY_CANCELLED, agents->request, agents->service->config->render_timeout_ms, answer);
+        return body_next(work, BODY_CANCELLED);
     default:
         break;
     }
@@ -175,14 +165,9 @@ static enum request_next answer_message(struct agents *agents, const struct zr_r
     return REQUEST_ANSWERED;
 }
 
-enum request_next agents_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+enum request_next agents_work(const struct work *work)
 {
-    struct agents agents = {service, request, arena, cancel, times};
     struct zr_request body;
-    const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
-    const enum body_status status =
-        body_unpack(request, (size_t)service->config->body_max_bytes, arena, reading, &body, answer);
-    return status == BODY_READY ? answer_message(&agents, &body, answer)
-                                : body_next(status, request, service->config->render_timeout_ms, answer);
+    const enum request_next next = body_next(work, body_unpack(work, &body));
+    return next == REQUEST_WORK ? answer_message(work, &body) : next;
 }

@@ -10,7 +10,6 @@
 /* Checks type and origin. */
 bool agents_open(const struct service *service, const struct load *load, struct request *request,
                  struct answer *answer);
-enum request_next agents_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
+enum request_next agents_work(const struct work *work);
 
 #endif

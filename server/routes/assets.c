@@ -56,14 +56,17 @@ static void answer_kept(struct answer *answer, const struct request *request, co
     if (is_new) answer->status = 201;
 }
 
-static enum request_next put(const struct service *service, const struct request *request, struct zr_arena *arena,
-                             struct answer *answer)
+static enum request_next put(const struct work *work)
 {
+    const struct service *service = work->service;
+    const struct request *request = work->request;
+    struct answer *answer = work->answer;
+    struct work uncancelled = *work;
     struct zr_request body;
     char name[STORE_NAME_SIZE];
-    enum body_status unpacked =
-        body_unpack(request, (size_t)service->config->body_max_bytes, arena, NULL, &body, answer);
-    if (unpacked != BODY_READY) return unpacked == BODY_LARGE ? REQUEST_LARGE : REQUEST_ANSWERED;
+    uncancelled.reading = NULL; /* what has arrived is kept */
+    const enum request_next next = body_next(work, body_unpack(&uncancelled, &body));
+    if (next != REQUEST_WORK) return next;
     store_name(body.bytes, body.size, name);
     if (*request->asset && strcmp(request->asset, name) != 0) {
         problem_answer(answer, 422, "the body's SHA-256 is %s, not %s", name, request->asset);
@@ -117,9 +120,11 @@ static void answer_there(const struct request *request, int file, size_t size, s
     answer_header(answer, "Cross-Origin-Resource-Policy", "cross-origin");
 }
 
-static enum request_next get(const struct service *service, const struct request *request,
-                             const struct zr_cancel *cancel, struct answer *answer)
+static enum request_next get(const struct work *work)
 {
+    const struct service *service = work->service;
+    const struct request *request = work->request;
+    struct answer *answer = work->answer;
     int file = 0; /* none: only the size is needed */
     size_t size = 0;
     const bool wants_bytes = strcmp(request->method, "GET") == 0 && !request->has_asset;
@@ -127,7 +132,7 @@ static enum request_next get(const struct service *service, const struct request
     if (!wants_bytes || request->small_only) status = store_look(service->store, request->asset, &size);
     if (wants_bytes && request->small_only && status == STORE_THERE && size > REQUEST_SMALL_BYTES) return REQUEST_LARGE;
     if (wants_bytes && status == STORE_THERE)
-        status = store_fetch(service->store, request->asset, cancel, &file, &size);
+        status = store_fetch(service->store, request->asset, work->cancel, &file, &size);
     switch (status) {
     case STORE_THERE:
         answer_there(request, file, size, answer);
@@ -146,13 +151,10 @@ static enum request_next get(const struct service *service, const struct request
     return REQUEST_ANSWERED;
 }
 
-enum request_next assets_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+enum request_next assets_work(const struct work *work)
 {
-    (void)times;
-    if (strcmp(request->method, "GET") == 0 || strcmp(request->method, "HEAD") == 0)
-        return get(service, request, cancel, answer);
-    return put(service, request, arena, answer);
+    const char *method = work->request->method;
+    return strcmp(method, "GET") == 0 || strcmp(method, "HEAD") == 0 ? get(work) : put(work);
 }
 
 /* ---- for scenes ---- */

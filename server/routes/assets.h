@@ -15,8 +15,7 @@
 /* Handlers for the router. assets_open sets request->asset and has_asset. */
 bool assets_open(const struct service *service, const struct load *load, struct request *request,
                  struct answer *answer);
-enum request_next assets_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
+enum request_next assets_work(const struct work *work);
 
 /* Returns the reader of stored assets for zr_request. */
 struct zr_stored assets_stored(const struct service *service);

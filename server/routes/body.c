@@ -21,16 +21,14 @@ static void begin(const struct request *request, struct zr_request *render)
 }
 
 /* Undoes the Content-Encoding of the body. */
-static enum body_status decompress(const struct request *request, size_t max, struct zr_arena *arena,
-                                   const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
+static enum body_status decompress(const struct work *work, struct zr_request *render)
 {
-    if (!request->gzip) return BODY_READY;
-    char *bytes = NULL;
-    bool is_bounded = request->small_only && max > REQUEST_SMALL_BYTES;
-    switch (gunzip(arena, render->bytes, render->size, is_bounded ? REQUEST_SMALL_BYTES : max, cancel, &bytes,
-                   &render->size)) {
+    struct answer *answer = work->answer;
+    const size_t max = (size_t)work->service->config->body_max_bytes;
+    if (!work->request->gzip) return BODY_READY;
+    const bool is_bounded = work->request->small_only && max > REQUEST_SMALL_BYTES;
+    switch (gunzip(work->arena, work->reading, is_bounded ? REQUEST_SMALL_BYTES : max, &render->bytes, &render->size)) {
     case GUNZIP_OK:
-        render->bytes = bytes;
         return BODY_READY;
     case GUNZIP_BROKEN:
         problem_answer(answer, 400, "Content-Encoding is gzip, but the body is not a complete gzip file");
@@ -40,7 +38,7 @@ static enum body_status decompress(const struct request *request, size_t max, st
         problem_answer(answer, 413, "the body inflates to more than bodyMaxBytes, %zu bytes", max);
         break;
     case GUNZIP_NO_MEMORY:
-        problem_memory(answer, arena, NULL);
+        problem_memory(answer, work->arena, NULL);
         break;
     case GUNZIP_CANCELLED:
         return BODY_CANCELLED;
@@ -60,34 +58,33 @@ static bool find_format(const struct multipart_part *scene, enum zr_format *form
     return *format != ZR_FORMAT_UNKNOWN || zr_media_type_is_generic(type);
 }
 
-enum body_status body_split(const struct request *request, size_t max, struct zr_arena *arena,
-                            const struct zr_cancel *cancel, struct zr_request *render, struct multipart **parts,
-                            struct answer *answer)
+enum body_status body_split(const struct work *work, struct zr_request *render, struct multipart **parts)
 {
     const char *fault;
-    begin(request, render);
-    const enum body_status status = decompress(request, max, arena, cancel, render, answer);
+    begin(work->request, render);
+    const enum body_status status = decompress(work, render);
     if (status != BODY_READY) return status;
-    *parts = zr_arena_zero(arena, 1, sizeof **parts);
+    *parts = zr_arena_zero(work->arena, 1, sizeof **parts);
     if (!*parts) {
-        problem_memory(answer, arena, NULL);
+        problem_memory(work->answer, work->arena, NULL);
         return BODY_REFUSED;
     }
-    if (multipart_parse(request->boundary, render->bytes, render->size, *parts, &fault)) return BODY_READY;
+    if (multipart_parse(work->request->boundary, render->bytes, render->size, *parts, &fault)) return BODY_READY;
     const size_t failed = (*parts)->count; /* the part with the fault, unless it is that of the whole body */
     const char *name = failed < MULTIPART_PARTS_MAX ? (*parts)->parts[failed].name : "";
-    problem_answer(answer, 400, "multipart/form-data: %s%s%s%s", fault, *name ? ": '" : "", name, *name ? "'" : "");
+    problem_answer(work->answer, 400, "multipart/form-data: %s%s%s%s", fault, *name ? ": '" : "", name,
+                   *name ? "'" : "");
     return BODY_REFUSED;
 }
 
 /* Makes the part `scene` the bytes, and the other parts assets. Names lie in the arena. False: the answer has the
  * error. */
-static bool use_parts(const struct multipart *parts, struct zr_arena *arena, struct zr_request *render,
-                      struct answer *answer)
+static bool use_parts(const struct work *work, const struct multipart *parts, struct zr_request *render)
 {
-    struct zr_asset *assets = zr_arena_alloc(arena, MULTIPART_PARTS_MAX, sizeof *assets);
+    struct answer *answer = work->answer;
+    struct zr_asset *assets = zr_arena_alloc(work->arena, MULTIPART_PARTS_MAX, sizeof *assets);
     if (!assets) {
-        problem_memory(answer, arena, NULL);
+        problem_memory(answer, work->arena, NULL);
         return false;
     }
     const struct multipart_part *scene = multipart_find(parts, "scene");
@@ -112,22 +109,20 @@ static bool use_parts(const struct multipart *parts, struct zr_arena *arena, str
     return true;
 }
 
-enum body_status body_unpack(const struct request *request, size_t max, struct zr_arena *arena,
-                             const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
+enum body_status body_unpack(const struct work *work, struct zr_request *render)
 {
     struct multipart *parts;
-    begin(request, render);
-    if (!request->boundary[0]) return decompress(request, max, arena, cancel, render, answer);
-    const enum body_status status = body_split(request, max, arena, cancel, render, &parts, answer);
+    begin(work->request, render);
+    if (!work->request->boundary[0]) return decompress(work, render);
+    const enum body_status status = body_split(work, render, &parts);
     if (status != BODY_READY) return status;
-    return use_parts(parts, arena, render, answer) ? BODY_READY : BODY_REFUSED;
+    return use_parts(work, parts, render) ? BODY_READY : BODY_REFUSED;
 }
 
-enum request_next body_next(enum body_status status, const struct request *request, uint64_t timeout_ms,
-                            struct answer *answer)
+enum request_next body_next(const struct work *work, enum body_status status)
 {
     if (status == BODY_READY) return REQUEST_WORK;
-    if (status == BODY_LARGE || (status == BODY_CANCELLED && request->small_only)) return REQUEST_LARGE;
-    if (status == BODY_CANCELLED) problem_timeout(answer, timeout_ms);
+    if (status == BODY_LARGE || (status == BODY_CANCELLED && work->request->small_only)) return REQUEST_LARGE;
+    if (status == BODY_CANCELLED) problem_timeout(work->answer, work->service->config->render_timeout_ms);
     return REQUEST_ANSWERED;
 }

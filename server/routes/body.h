@@ -13,18 +13,13 @@ enum body_status {
 };
 
 /* Decompresses the body into *render, whose other members are those of request->render, and finds its parts. */
-enum body_status body_split(const struct request *request, size_t max, struct zr_arena *arena,
-                            const struct zr_cancel *cancel, struct zr_request *render, struct multipart **parts,
-                            struct answer *answer);
+enum body_status body_split(const struct work *work, struct zr_request *render, struct multipart **parts);
 
-/* Fills *render from request->render, which stays unchanged. Memory comes from the arena. `max`: largest size of the
- * decompressed body, in bytes. `cancel` may be NULL. */
-enum body_status body_unpack(const struct request *request, size_t max, struct zr_arena *arena,
-                             const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer);
+/* Fills *render from request->render, which stays unchanged. Memory comes from the arena. Of the two cancellations, only
+ * `reading` counts, which may be NULL. */
+enum body_status body_unpack(const struct work *work, struct zr_request *render);
 
-/* Returns what follows: REQUEST_WORK if the body is ready, REQUEST_LARGE, or REQUEST_ANSWERED; the answer is then set.
- * `timeout_ms`: the time that a cancelled request had. */
-enum request_next body_next(enum body_status status, const struct request *request, uint64_t timeout_ms,
-                            struct answer *answer);
+/* Returns what follows: REQUEST_WORK if the body is ready, REQUEST_LARGE, or REQUEST_ANSWERED; the answer is then set. */
+enum request_next body_next(const struct work *work, enum body_status status);
 
 #endif

@@ -170,24 +170,22 @@ static bool make_scene(const struct drake_form *form, bool is_tiff, struct zr_ar
 }
 
 /* Makes the form a scene that names its file. */
-static enum body_status unpack(const struct service *service, const struct request *request, struct zr_arena *arena,
-                               const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
+static enum body_status unpack(const struct work *work, struct zr_request *render)
 {
     struct multipart *parts;
     struct drake_form form;
     struct zr_error error = {0};
-    enum body_status status =
-        body_split(request, (size_t)service->config->body_max_bytes, arena, cancel, render, &parts, answer);
+    enum body_status status = body_split(work, render, &parts);
     if (status != BODY_READY) return status;
-    if (!drake_form_read(parts, service->limits.window_side_max, &form, &error)) {
-        problem_answer_error(answer, 400, &error);
+    if (!drake_form_read(parts, work->service->limits.window_side_max, &form, &error)) {
+        problem_answer_error(work->answer, 400, &error);
         return BODY_REFUSED;
     }
-    status = check_hash(&form, cancel, answer);
+    status = check_hash(&form, work->reading, work->answer);
     if (status != BODY_READY) return status;
-    struct zr_asset *file = zr_arena_alloc(arena, 1, sizeof *file);
-    if (!file || !make_scene(&form, wants_tiff(request), arena, render)) {
-        problem_memory(answer, arena, NULL);
+    struct zr_asset *file = zr_arena_alloc(work->arena, 1, sizeof *file);
+    if (!file || !make_scene(&form, wants_tiff(work->request), work->arena, render)) {
+        problem_memory(work->answer, work->arena, NULL);
         return BODY_REFUSED;
     }
     *file = (struct zr_asset){.name = FILE_NAME, .bytes = form.scene->bytes, .size = form.scene->size};
@@ -203,13 +201,13 @@ static void report(struct answer *answer, enum zr_status status, const struct zr
     problem_answer_error(answer, problem_http_status(status), &named);
 }
 
-enum request_next drake_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                             const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+enum request_next drake_work(const struct work *work)
 {
     /* Files that differ in the pose of the camera are never the same: a copy of each would cost half of the reading. */
     static const struct rendering_kind kind = {unpack, report, NULL, false};
+    struct answer *answer = work->answer;
     answer->is_plain = true;
-    const enum request_next next = rendering_run(&kind, service, request, arena, cancel, times, answer);
+    const enum request_next next = rendering_run(&kind, work);
     if (answer->status == 415 || answer->status == 422) answer->status = 400; /* the protocol has no other fault */
     return next;
 }

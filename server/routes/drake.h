@@ -14,7 +14,6 @@
 bool drake_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer);
 
 /* Checks the fields of the form, makes the scene and renders it. */
-enum request_next drake_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                             const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
+enum request_next drake_work(const struct work *work);
 
 #endif

@@ -15,9 +15,9 @@ enum gunzip_status {
     GUNZIP_CANCELLED
 };
 
-/* Decompresses `bytes` into the arena. A small body cannot claim much memory: room grows with the output, up to `max`.
- * `cancel` may be NULL. */
-enum gunzip_status gunzip(struct zr_arena *arena, const char *bytes, size_t size, size_t max,
-                          const struct zr_cancel *cancel, char **out, size_t *out_size);
+/* Decompresses the bytes into the arena and replaces them by the result, if it is GUNZIP_OK. A small body cannot claim
+ * much memory: room grows with the output, up to `max`. `cancel` may be NULL. */
+enum gunzip_status gunzip(struct zr_arena *arena, const struct zr_cancel *cancel, size_t max, const char **bytes,
+                          size_t *size);
 
 #endif

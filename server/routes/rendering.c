@@ -105,11 +105,8 @@ enum {
 
 /* State of one request. */
 struct rendering {
-    const struct service *service;
-    const struct request *request;
-    struct zr_arena *arena;
-    const struct zr_cancel *cancel;
-    struct step_times *times;
+    const struct work *work;
+    struct zr_run run;
     struct zr_stored stored; /* all assets, large ones too */
     /* Several views read assets on several threads. */
     atomic_size_t small_left; /* bytes of assets that a small request may still read */
@@ -118,19 +115,13 @@ struct rendering {
     struct images_use images;
     struct texts_use texts;
     struct meshes_use meshes;
-    struct zr_cost cost; /* predicted cost; all 0 before the prediction */
-    struct answer *answer;
+    struct zr_cost cost;   /* predicted cost; all 0 before the prediction */
     struct zr_files files; /* drawn */
+    struct zr_answer result;
     struct zr_look_pin look;
     bool has_open_look; /* its version is not named */
     enum refusal busy;  /* reason why there can be no stream now */
 };
-
-/* Returns the run of steps that report to `error`. */
-static struct zr_run run_of(const struct rendering *r, struct zr_error *error)
-{
-    return (struct zr_run){.arena = r->arena, .team = r->service->team, .cancel = r->cancel, .error = error};
-}
 
 static double ms_since(int64_t *mark_us)
 {
@@ -161,15 +152,15 @@ static void add_timing(struct answer *answer, const struct step_times *times)
 /* Accept chooses the form of several files, but for addresses. */
 static void add_look(const struct rendering *r)
 {
-    answer_header(r->answer, "Zraster-Look", "%s", r->look.text);
-    if (!*r->request->scene) answer_vary(r->answer, "Accept");
+    answer_header(r->work->answer, "Zraster-Look", "%s", r->look.text);
+    if (!*r->work->request->scene) answer_vary(r->work->answer, "Accept");
 }
 
 /* ---- early detection of large requests ---- */
 
 static bool too_large(struct rendering *r, bool large)
 {
-    if (r->request->small_only && large) r->is_large = true;
+    if (r->work->request->small_only && large) r->is_large = true;
     return r->is_large;
 }
 
@@ -179,7 +170,7 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
 {
     struct rendering *r = context;
     size_t there = 0;
-    if (r->request->small_only && store_look(r->service->store, sha256, &there) == STORE_THERE) {
+    if (r->work->request->small_only && store_look(r->work->service->store, sha256, &there) == STORE_THERE) {
         const size_t before = atomic_fetch_sub(&r->small_left, there);
         if (too_large(r, there > before)) return ZR_CANCELLED;
     }
@@ -200,7 +191,7 @@ static enum zr_status look_at_stored(void *context, const char *sha256, size_t *
 static bool has_memory(const struct rendering *r)
 {
     const struct zr_cost *cost = &r->cost;
-    struct zr_arena *arena = r->arena;
+    struct zr_arena *arena = r->run.arena;
     if (cost->window_bytes <= (double)zr_arena_left(arena)) return true;
     return zr_arena_charge(arena, cost->window_bytes < 1e18 ? (size_t)cost->window_bytes + 1 : SIZE_MAX);
 }
@@ -208,7 +199,7 @@ static bool has_memory(const struct rendering *r)
 /* A sheet is one picture. */
 static bool is_stream(const struct rendering *r, const struct zr_views *views)
 {
-    return views->set && !views->scene->sheet.is_on && r->request->stream;
+    return views->set && !views->scene->sheet.is_on && r->work->request->stream;
 }
 
 static bool has_many_faces_for_the_painter(const struct zr_scene *scene)
@@ -220,38 +211,35 @@ static bool has_many_faces_for_the_painter(const struct zr_scene *scene)
 }
 
 /* Finds the cost of the scene's view, or of all its views. */
-static enum zr_status find_cost(struct rendering *r, struct zr_views *views, const struct zr_resolved_view **resolved,
-                                struct zr_error *error)
+static enum zr_status find_cost(struct rendering *r, struct zr_views *views, const struct zr_resolved_view **resolved)
 {
-    const struct zr_run run = run_of(r, error);
     if (views->set) {
-        const enum zr_status status = zr_views_plan(&run, views);
+        const enum zr_status status = zr_views_plan(&r->run, views);
         r->cost = views->cost;
         return status;
     }
-    const enum zr_status status = zr_resolved_view_find(&run, views->scene, resolved);
+    const enum zr_status status = zr_resolved_view_find(&r->run, views->scene, resolved);
     if (status == ZR_OK || status == ZR_CANCELLED) r->cost = zr_scene_cost(views->scene, *resolved);
     return status;
 }
 
 /* Predicts the cost, and refuses too large work. If the search for the view was cancelled, the prediction still decides
  * whether the request is large. */
-static enum zr_status predict(struct rendering *r, struct zr_views *views, const struct zr_resolved_view **resolved,
-                              struct zr_error *error)
+static enum zr_status predict(struct rendering *r, struct zr_views *views, const struct zr_resolved_view **resolved)
 {
-    const struct service *service = r->service;
+    const struct service *service = r->work->service;
     const struct zr_scene *scene = views->scene;
     if (too_large(r, views->set && views->set->count > SMALL_VIEWS)) return ZR_CANCELLED;
-    const enum zr_status status = find_cost(r, views, resolved, error);
+    const enum zr_status status = find_cost(r, views, resolved);
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
     const double slowness = slowness_of(service->slowness, r->cost.ms > SMALL_MS);
-    const double predicted_ms = r->times->predicted_ms = r->cost.ms * slowness;
+    const double predicted_ms = r->work->times->predicted_ms = r->cost.ms * slowness;
     const bool may_wait = is_stream(r, views); /* for its reader */
     if (too_large(r, may_wait || r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
     if (!has_memory(r)) return ZR_NO_MEMORY;
     if (predicted_ms <= (double)service->config->cost_max_ms) return status;
     const struct zr_cost_most most = zr_cost_most(&r->cost);
-    return zr_error_add(error, ZR_BAD_SCENE, NULL,
+    return zr_error_add(r->run.error, ZR_BAD_SCENE, NULL,
                         "the work is predicted to take %.3g s of processor time, more than costMaxMs, %" PRIu64
                         " ms; %.3g s of that are for %.3g %s: fewer of these take less",
                         1e-3 * predicted_ms, service->config->cost_max_ms, 1e-3 * most.ms * slowness, most.count,
@@ -259,41 +247,36 @@ static enum zr_status predict(struct rendering *r, struct zr_views *views, const
 }
 
 /* Joins several files into an archive, unless the answer has them as parts. */
-static enum zr_status join_files(struct rendering *r, const struct zr_scene *scene, struct zr_answer *result,
-                                 struct zr_error *error)
+static enum zr_status join_files(struct rendering *r, const struct zr_scene *scene)
 {
-    const bool is_joined = r->request->parts == ACCEPT_NO_PARTS || r->files.count == 1;
-    return (is_joined ? zr_files_answer : zr_files_describe)(r->arena, &r->files, scene, result, error);
+    const bool is_joined = r->work->request->parts == ACCEPT_NO_PARTS || r->files.count == 1;
+    return (is_joined ? zr_files_answer : zr_files_describe)(r->run.arena, &r->files, scene, &r->result, r->run.error);
 }
 
 /* Draws and encodes the scene's view. */
 static enum zr_status draw_one(struct rendering *r, const struct zr_scene *scene,
-                               const struct zr_resolved_view *resolved, struct zr_answer *result,
-                               struct zr_error *error)
+                               const struct zr_resolved_view *resolved)
 {
-    const struct zr_run run = run_of(r, error);
     const struct zr_frame *frame = NULL;
     int64_t mark = clock_us();
-    enum zr_status status = zr_render(&run, scene, resolved, &frame);
-    r->times->render_ms = ms_since(&mark);
+    enum zr_status status = zr_render(&r->run, scene, resolved, &frame);
+    r->work->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    status = zr_encode_files(&run, scene, frame, NULL, &r->files);
-    if (status == ZR_OK) status = join_files(r, scene, result, error);
-    r->times->encode_ms = ms_since(&mark);
+    status = zr_encode_files(&r->run, scene, frame, NULL, &r->files);
+    if (status == ZR_OK) status = join_files(r, scene);
+    r->work->times->encode_ms = ms_since(&mark);
     return status;
 }
 
 /* Draws and encodes several views; the time of encoding them is part of that of drawing. */
-static enum zr_status draw_several(struct rendering *r, struct zr_views *views, struct zr_answer *result,
-                                   struct zr_error *error)
+static enum zr_status draw_several(struct rendering *r, struct zr_views *views)
 {
-    const struct zr_run run = run_of(r, error);
     int64_t mark = clock_us();
-    enum zr_status status = zr_views_draw(&run, views, &r->files);
-    r->times->render_ms = ms_since(&mark);
+    enum zr_status status = zr_views_draw(&r->run, views, &r->files);
+    r->work->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    status = join_files(r, views->scene, result, error);
-    r->times->encode_ms = ms_since(&mark);
+    status = join_files(r, views->scene);
+    r->work->times->encode_ms = ms_since(&mark);
     return status;
 }
 
@@ -304,20 +287,20 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
 {
     struct rendering *r = context;
     const struct zr_files *files = view->files;
-    struct stream *stream = r->request->stream;
+    struct stream *stream = r->work->request->stream;
     char warnings[ZR_WARNINGS_SIZE], file[128];
-    struct zr_arena scratch = zr_arena_open_scratch(r->arena);
+    struct zr_arena scratch = zr_arena_open_scratch(r->run.arena);
     text_to_ascii(warnings, sizeof warnings, zr_warnings_join(&scratch, &files->warnings));
-    zr_arena_close_scratch(&scratch, r->arena);
+    zr_arena_close_scratch(&scratch, r->run.arena);
     (void)error;
     stream->held_bytes = view->held_bytes;
     if (view->number == 0) {
         add_look(r);
-        add_timing(r->answer, r->times);
-        parts_begin(stream, r->request->parts, r->answer);
+        add_timing(r->work->answer, r->work->times);
+        parts_begin(stream, r->work->request->parts, r->work->answer);
     }
     /* Each view has its own. parts_begin took the answer's headers only. */
-    r->answer->warnings += files->warnings.count;
+    r->work->answer->warnings += files->warnings.count;
     for (uint32_t i = 0; i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
         snprintf(file, sizeof file, "%s.%s", view->name, entry->name);
@@ -329,17 +312,16 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
 }
 
 /* Draws several views, and streams each. The time of drawing includes encoding, and no waits for the reader. */
-static enum zr_status stream_several(struct rendering *r, struct zr_views *views, struct zr_error *error)
+static enum zr_status stream_several(struct rendering *r, struct zr_views *views)
 {
-    const struct zr_run run = run_of(r, error);
-    struct stream *stream = r->request->stream;
+    struct stream *stream = r->work->request->stream;
     const struct zr_views_taker taker = {send_view, r};
     r->busy = stream_open(stream);
     if (r->busy) return ZR_CANCELLED;
     int64_t mark = clock_us();
-    const enum zr_status status = zr_views_draw_each(&run, views, taker);
-    stream->held_bytes = r->arena->held; /* while the end of the body waits */
-    r->times->render_ms = ms_since(&mark) - (double)stream->waited_us / 1000.0;
+    const enum zr_status status = zr_views_draw_each(&r->run, views, taker);
+    stream->held_bytes = r->run.arena->held; /* while the end of the body waits */
+    r->work->times->render_ms = ms_since(&mark) - (double)stream->waited_us / 1000.0;
     return status;
 }
 
@@ -351,37 +333,35 @@ static bool is_head(const struct request *request)
 
 static void answer_without_image(const struct rendering *r)
 {
-    r->answer->status = 200;
-    r->answer->is_unsized = true;
+    r->work->answer->status = 200;
+    r->work->answer->is_unsized = true;
     add_look(r);
 }
 
-static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,
-                                struct zr_error *error)
+static enum zr_status run_steps(struct rendering *r, const struct zr_request *request)
 {
-    const struct zr_run run = run_of(r, error);
-    const struct service *service = r->service;
     struct zr_views views;
     const struct zr_resolved_view *resolved = NULL;
     int64_t mark = clock_us();
-    enum zr_status status = zr_views_read(&run, request, &service->limits, &views);
-    if (status == ZR_OK) status = predict(r, &views, &resolved, error);
-    r->times->parse_ms = ms_since(&mark);
+    enum zr_status status = zr_views_read(&r->run, request, &r->work->service->limits, &views);
+    if (status == ZR_OK) status = predict(r, &views, &resolved);
+    r->work->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     r->look = zr_look_pin_of(views.scene->look);
     r->has_open_look = views.scene->has_open_look;
-    if (is_head(r->request)) return ZR_OK;
-    if (!views.set) return draw_one(r, views.scene, resolved, result, error);
-    return is_stream(r, &views) ? stream_several(r, &views, error) : draw_several(r, &views, result, error);
+    if (is_head(r->work->request)) return ZR_OK;
+    if (!views.set) return draw_one(r, views.scene, resolved);
+    return is_stream(r, &views) ? stream_several(r, &views) : draw_several(r, &views);
 }
 
-static void answer_image(const struct rendering *r, const struct zr_answer *result)
+static void answer_image(const struct rendering *r)
 {
-    struct answer *answer = r->answer;
+    const struct zr_answer *result = &r->result;
+    struct answer *answer = r->work->answer;
     if (result->bytes)
         answer_copy(answer, result->content_type, result->bytes, result->size);
     else
-        parts_answer(answer, r->request->parts, &r->files);
+        parts_answer(answer, r->work->request->parts, &r->files);
     add_look(r);
     answer->warnings = result->warning_count;
     if (*result->encoders) answer_header(answer, "Zraster-Encoder", "%s", result->encoders);
@@ -392,71 +372,77 @@ static void answer_image(const struct rendering *r, const struct zr_answer *resu
     }
 }
 
-enum request_next rendering_run(const struct rendering_kind *kind, const struct service *service,
-                                const struct request *request, struct zr_arena *arena, const struct zr_cancel *cancel,
-                                struct step_times *times, struct answer *answer)
+/* Lends the request what is kept, and the limits of small requests. */
+static void lend(struct rendering *r, const struct rendering_kind *kind, struct zr_request *request)
 {
-    struct rendering r = {.service = service,
-                          .request = request,
-                          .arena = arena,
-                          .cancel = cancel,
-                          .times = times,
-                          .answer = answer,
+    r->stored = assets_stored(r->work->service);
+    r->small_left = REQUEST_SMALL_BYTES;
+    request->stored = (struct zr_stored){r->stored.read ? read_stored : NULL, r->stored.look ? look_at_stored : NULL, r,
+                                         r->stored.advice};
+    request->images = images_lend(&r->images);
+    request->texts = texts_lend(&r->texts);
+    if (kind->keeps_meshes) request->meshes = meshes_lend(&r->meshes);
+    r->quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, SMALL_ARRAY_BYTES, false};
+    if (r->work->request->small_only) request->quick = &r->quick;
+}
+
+static void release(struct rendering *r)
+{
+    images_release(&r->images);
+    texts_release(&r->texts);
+    meshes_release(&r->meshes);
+}
+
+static void answer_drawn(const struct rendering *r, const struct rendering_kind *kind)
+{
+    if (is_head(r->work->request))
+        answer_without_image(r);
+    else if (r->result.look) /* else it is streamed */
+        answer_image(r);
+    if (kind->finish) kind->finish(r->work, !r->has_open_look);
+}
+
+static void answer_failed(const struct rendering *r, const struct rendering_kind *kind, enum zr_status status)
+{
+    struct answer *answer = r->work->answer;
+    if (r->busy)
+        problem_busy(answer, 1, r->busy);
+    else if (status == ZR_NO_MEMORY)
+        problem_memory(answer, r->run.arena, &r->cost);
+    else if (status == ZR_CANCELLED)
+        problem_timeout(answer, r->work->service->config->render_timeout_ms);
+    else
+        kind->report(answer, status, r->run.error);
+}
+
+enum request_next rendering_run(const struct rendering_kind *kind, const struct work *work)
+{
+    const struct service *service = work->service;
+    struct zr_error error = {0};
+    struct rendering r = {.work = work,
+                          .run = {.arena = work->arena, .team = service->team, .cancel = work->cancel, .error = &error},
                           .images = {.images = service->images, .texts = &r.texts},
                           .texts = {.texts = service->texts},
                           .meshes = {.meshes = service->meshes}};
-    struct zr_error error = {0};
-    struct zr_answer result = {0};
     struct zr_request unpacked;
     int64_t mark = clock_us();
-    /* A small request is read to its end even after its time: only then is it known whether to hand it on. It has at
-     * most REQUEST_SMALL_BYTES. */
-    const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
-    const enum request_next next = body_next(kind->unpack(service, request, arena, reading, &unpacked, answer), request,
-                                             service->config->render_timeout_ms, answer);
+    const enum request_next next = body_next(work, kind->unpack(work, &unpacked));
     if (next != REQUEST_WORK) return next;
     if (too_large(&r, unpacked.size > REQUEST_SMALL_BYTES)) return REQUEST_LARGE;
-    r.stored = assets_stored(service);
-    r.small_left = REQUEST_SMALL_BYTES;
-    unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, r.stored.look ? look_at_stored : NULL, &r,
-                                         r.stored.advice};
-    unpacked.images = images_lend(&r.images);
-    unpacked.texts = texts_lend(&r.texts);
-    if (kind->keeps_meshes) unpacked.meshes = meshes_lend(&r.meshes);
-    unpacked.cancel = reading;
-    r.quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, SMALL_ARRAY_BYTES, false};
-    if (request->small_only) unpacked.quick = &r.quick;
-    double unpack_ms = ms_since(&mark);
-    enum zr_status status = run_steps(&r, &unpacked, &result, &error);
-    images_release(&r.images);
-    texts_release(&r.texts);
-    meshes_release(&r.meshes);
-    if (too_large(&r, r.quick.is_exceeded || (status == ZR_CANCELLED && zr_is_cancelled(cancel->parent))))
+    lend(&r, kind, &unpacked);
+    unpacked.cancel = work->reading;
+    const double unpack_ms = ms_since(&mark);
+    const enum zr_status status = run_steps(&r, &unpacked);
+    release(&r);
+    if (too_large(&r, r.quick.is_exceeded || (status == ZR_CANCELLED && zr_is_cancelled(work->cancel->parent))))
         return REQUEST_LARGE;
-    times->parse_ms += unpack_ms;
-    if (status == ZR_OK) {
-        if (is_head(request))
-            answer_without_image(&r);
-        else if (result.look) /* else it is streamed */
-            answer_image(&r, &result);
-        if (kind->finish) kind->finish(service, request, !r.has_open_look, answer);
-    } else if (r.busy) {
-        problem_busy(answer, 1, r.busy);
-    } else if (status == ZR_NO_MEMORY) {
-        problem_memory(answer, arena, &r.cost);
-    } else if (status == ZR_CANCELLED) {
-        problem_timeout(answer, service->config->render_timeout_ms);
-    } else {
-        kind->report(answer, status, &error);
-    }
-    if (answer->status != 0) add_timing(answer, times);
+    work->times->parse_ms += unpack_ms;
+    if (status == ZR_OK)
+        answer_drawn(&r, kind);
+    else
+        answer_failed(&r, kind, status);
+    if (work->answer->status != 0) add_timing(work->answer, work->times);
     return REQUEST_ANSWERED;
-}
-
-static enum body_status unpack(const struct service *service, const struct request *request, struct zr_arena *arena,
-                               const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
-{
-    return body_unpack(request, (size_t)service->config->body_max_bytes, arena, cancel, render, answer);
 }
 
 static void report(struct answer *answer, enum zr_status status, const struct zr_error *error)
@@ -465,9 +451,8 @@ static void report(struct answer *answer, enum zr_status status, const struct zr
     problem_answer_error(answer, problem_http_status(status), error);
 }
 
-enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                                 const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+enum request_next rendering_work(const struct work *work)
 {
-    static const struct rendering_kind kind = {unpack, report, NULL, true};
-    return rendering_run(&kind, service, request, arena, cancel, times, answer);
+    static const struct rendering_kind kind = {body_unpack, report, NULL, true};
+    return rendering_run(&kind, work);
 }

@@ -14,24 +14,20 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 char *rendering_begin(struct request *request, size_t room, struct answer *answer);
 
 /* Unpacks the body, reads the scene, predicts its cost, draws it and encodes the outputs. */
-enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                                 const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
+enum request_next rendering_work(const struct work *work);
 
 /* A kind of render: how a body becomes the renderer's input, how faults of the input are reported, what is added to an
  * answer with a picture, and whether model files are kept as read. */
 struct rendering_kind {
-    enum body_status (*unpack)(const struct service *service, const struct request *request, struct zr_arena *arena,
-                               const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer);
+    enum body_status (*unpack)(const struct work *work, struct zr_request *render);
     void (*report)(struct answer *answer, enum zr_status status, const struct zr_error *error);
     /* is_pinned: the look has no version that may change. NULL: nothing is added. */
-    void (*finish)(const struct service *service, const struct request *request, bool is_pinned, struct answer *answer);
+    void (*finish)(const struct work *work, bool is_pinned);
     bool keeps_meshes;
 };
 
 /* Works like rendering_work for any kind. */
-enum request_next rendering_run(const struct rendering_kind *kind, const struct service *service,
-                                const struct request *request, struct zr_arena *arena, const struct zr_cancel *cancel,
-                                struct step_times *times, struct answer *answer);
+enum request_next rendering_run(const struct rendering_kind *kind, const struct work *work);
 
 /* True if a Content-Type is multipart/form-data. */
 bool rendering_is_multipart(const char *content_type);

@@ -166,25 +166,27 @@ static void answer_missing(struct answer *answer)
 }
 
 /* Reads the stored file. */
-static enum body_status unpack(const struct service *service, const struct request *request, struct zr_arena *arena,
-                               const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
+static enum body_status unpack(const struct work *work, struct zr_request *render)
 {
-    const uint64_t most = service->config->body_max_bytes;
+    const struct request *request = work->request;
+    const uint64_t most = work->service->config->body_max_bytes;
+    struct store *store = work->service->store;
+    struct answer *answer = work->answer;
     const void *bytes = NULL;
     *render = *request->render;
-    enum store_status status = store_look(service->store, request->scene, &render->size);
+    enum store_status status = store_look(store, request->scene, &render->size);
     if (status == STORE_THERE && request->small_only && render->size > REQUEST_SMALL_BYTES) return BODY_LARGE;
     if (status == STORE_THERE && render->size > most) {
         problem_answer(answer, 413, "the scene has %zu bytes; bodyMaxBytes is %" PRIu64, render->size, most);
         return BODY_REFUSED;
     }
-    if (status == STORE_THERE) status = store_read(service->store, request->scene, arena, &bytes, &render->size);
+    if (status == STORE_THERE) status = store_read(store, request->scene, work->arena, &bytes, &render->size);
     render->bytes = bytes;
-    if (status == STORE_THERE) return zr_is_cancelled(cancel) ? BODY_CANCELLED : BODY_READY;
+    if (status == STORE_THERE) return zr_is_cancelled(work->reading) ? BODY_CANCELLED : BODY_READY;
     if (status == STORE_MISSING)
         answer_missing(answer);
     else if (status == STORE_NO_MEMORY)
-        problem_memory(answer, arena, NULL);
+        problem_memory(answer, work->arena, NULL);
     else
         problem_answer(answer, 500, "the scene could not be read");
     return BODY_REFUSED;
@@ -196,8 +198,11 @@ static void report(struct answer *answer, enum zr_status status, const struct zr
     problem_answer_error(answer, status == ZR_BAD_TYPE ? 422 : problem_http_status(status), error);
 }
 
-static void finish(const struct service *service, const struct request *request, bool is_pinned, struct answer *answer)
+static void finish(const struct work *work, bool is_pinned)
 {
+    const struct service *service = work->service;
+    const struct request *request = work->request;
+    struct answer *answer = work->answer;
     if (answer->status != 200) return;
     if (answer->is_unsized)
         answer->is_unsized = !sizes_find(service->sizes, &request->answer_key, &answer->size, &is_pinned);
@@ -207,15 +212,15 @@ static void finish(const struct service *service, const struct request *request,
     add_headers(request, is_pinned, answer);
 }
 
-enum request_next renders_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                               const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+enum request_next renders_work(const struct work *work)
 {
     static const struct rendering_kind kind = {unpack, report, finish, true};
+    const struct request *request = work->request;
     size_t size;
-    if (!request->has_answer) return rendering_run(&kind, service, request, arena, cancel, times, answer);
-    if (store_look(service->store, request->scene, &size) == STORE_THERE)
-        answer_unchanged(service, request, answer);
+    if (!request->has_answer) return rendering_run(&kind, work);
+    if (store_look(work->service->store, request->scene, &size) == STORE_THERE)
+        answer_unchanged(work->service, request, work->answer);
     else
-        answer_missing(answer);
+        answer_missing(work->answer);
     return REQUEST_ANSWERED;
 }

@@ -16,7 +16,6 @@
 /* Handlers for the router. */
 bool renders_open(const struct service *service, const struct load *load, struct request *request,
                   struct answer *answer);
-enum request_next renders_work(const struct service *service, const struct request *request, struct zr_arena *arena,
-                               const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
+enum request_next renders_work(const struct work *work);
 
 #endif

@@ -57,8 +57,8 @@ static enum request_next work_on(struct trial *trial, const struct request *requ
     struct answer answer = {0};
     struct zr_arena arena;
     zr_arena_init(&arena, ARENA_BYTES);
-    const enum request_next next =
-        (request->asset ? assets_work : rendering_work)(&trial->service, request, &arena, &cancel, &times, &answer);
+    const struct work work = {&trial->service, request, &arena, &cancel, &overdue, &times, &answer};
+    const enum request_next next = (request->asset ? assets_work : rendering_work)(&work);
     if (used) *used = arena.peak;
     zr_arena_free(&arena);
     answer_free(&answer);
