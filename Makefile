@@ -718,7 +718,7 @@ $(BUILD)/tests/unit/server/test_schema: $(addprefix $(BUILD)/server/routes/,open
 $(BUILD)/tests/unit/server/test_framing: $(BUILD)/server/http/framing.o
 $(BUILD)/tests/unit/server/test_accept: $(BUILD)/server/http/accept.o
 $(BUILD)/tests/unit/server/test_gate: $(addprefix $(BUILD)/server/gate/,gate.o lines.o preset.o signature.o forwarded.o networks.o ip.o) $(BUILD)/server/mcp/near.o $(call objects,server/config/*.c)
-$(BUILD)/tests/unit/server/test_metrics: $(call objects,server/metrics/*.c) $(BUILD)/server/refusal.o
+$(BUILD)/tests/unit/server/test_metrics: $(call objects,server/metrics/*.c) $(addprefix $(BUILD)/server/,keep/kept.o refusal.o)
 $(BUILD)/tests/unit/server/test_gate: TEST_LIBS += -lnettle
 $(BUILD)/tests/unit/server/test_signature: $(BUILD)/server/gate/signature.o
 $(BUILD)/tests/unit/server/test_signature: TEST_LIBS += -lnettle

@@ -120,10 +120,8 @@ static void end_service(struct service *service)
 {
     slowness_end(service->slowness);
     store_close(service->store);
-    kept_close(service->images);
-    texts_close(service->texts);
-    meshes_close(service->meshes);
-    kept_close(service->answers);
+    for (int i = 0; i < KEPT_TABLES; i++)
+        kept_close(service->kept[i]);
     sizes_close(service->sizes);
     zr_team_destroy(service->team);
     gate_free(service->gate);
@@ -158,10 +156,10 @@ static int serve(const struct config *config, struct gate *gate)
     slowness_start(&slowness, config_isa(config));
     service_init(&service, config, team, &slowness);
     service.gate = gate;
-    service.images = images_open(config->keep_image_bytes);
-    service.texts = texts_open(config->keep_text_bytes);
-    service.meshes = meshes_open(config->keep_mesh_bytes);
-    service.answers = answers_open(config->keep_answer_bytes);
+    service.kept[KEPT_IMAGES] = images_open(config->keep_image_bytes);
+    service.kept[KEPT_TEXTS] = texts_open(config->keep_text_bytes);
+    service.kept[KEPT_MESHES] = meshes_open(config->keep_mesh_bytes);
+    service.kept[KEPT_ANSWERS] = answers_open(config->keep_answer_bytes);
     service.sizes = sizes_open();
     service.metrics = metrics_create();
     if (*config->assets_dir)

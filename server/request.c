@@ -76,11 +76,9 @@ static bool memory_is_short(const char *folder)
 /* Drops all kept values that no request uses. False if there are none. */
 static bool drop_kept(const struct service *service)
 {
-    struct kept *const tables[] = {service->images, texts_kept(service->texts), meshes_kept(service->meshes),
-                                   service->answers};
     bool dropped = false;
-    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
-        if (tables[i] && kept_drop(tables[i])) dropped = true;
+    for (int i = 0; i < KEPT_TABLES; i++)
+        if (service->kept[i] && kept_drop(service->kept[i])) dropped = true;
     return dropped;
 }
 

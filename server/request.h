@@ -39,14 +39,11 @@ struct service {
     struct zr_limits limits;
     struct slowness *slowness;
     struct zr_team *team;
-    struct store *store;     /* NULL: no assets are stored */
-    struct kept *images;     /* decoded images; NULL: none are kept */
-    struct texts *texts;     /* decoded data: URIs; NULL: none are kept */
-    struct meshes *meshes;   /* model files as read; NULL: none are kept */
-    struct kept *answers;    /* answers of addresses; NULL: none are kept */
-    struct sizes *sizes;     /* of answers of addresses; may be NULL */
-    struct metrics *metrics; /* NULL: nothing is counted */
-    uint64_t id_base;        /* random, so that ids of two daemons differ */
+    struct store *store;            /* NULL: no assets are stored */
+    struct kept *kept[KEPT_TABLES]; /* NULL: none are kept */
+    struct sizes *sizes;            /* of answers of addresses; may be NULL */
+    struct metrics *metrics;        /* NULL: nothing is counted */
+    uint64_t id_base;               /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 

@@ -144,8 +144,6 @@ static void look(void *context, struct metrics_now *now)
 {
     struct http *http = context;
     const struct service *service = http->service;
-    struct kept *const kept[METRICS_KEPT] = {service->images, texts_kept(service->texts), meshes_kept(service->meshes),
-                                             service->answers};
     now->queue = queue_look(http->queue);
     now->in_progress = http->in_flight;
     now->streams = atomic_load(&http->streams);
@@ -154,8 +152,8 @@ static void look(void *context, struct metrics_now *now)
     now->connections_max = (size_t)http->config->max_connections;
     now->answer_bytes = atomic_load(&http->answer_bytes);
     now->upload_bytes = atomic_load(&http->uploads.held);
-    for (int i = 0; i < METRICS_KEPT; i++)
-        if (kept[i]) now->kept[i] = kept_look(kept[i]);
+    for (int i = 0; i < KEPT_TABLES; i++)
+        now->kept[i] = kept_look(service->kept[i]);
     now->lost_lines = log_writer_lost_ever();
 }
 

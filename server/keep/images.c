@@ -30,14 +30,9 @@ static void widen(struct kept_value *there, const struct kept_value *other)
     if (more->scratch_bytes > kept->scratch_bytes) kept->scratch_bytes = more->scratch_bytes;
 }
 
-static void free_image(struct kept_value *value)
-{
-    free(value);
-}
-
 struct kept *images_open(uint64_t max_bytes)
 {
-    static const struct kept_kind kind = {take, widen, free_image};
+    static const struct kept_kind kind = {take, widen, NULL};
     return kept_open(&kind, max_bytes);
 }
 

@@ -1,7 +1,7 @@
 /* images.h - decoded images of textures, kept between requests by the SHA-256 of their files (kept.h).
  *
  * The hash covers the whole file.
- * Thread: struct images is thread-safe. One struct images_use belongs to one request.
+ * Thread: one struct images_use belongs to one request.
  */
 #ifndef ZRASTERD_IMAGES_H
 #define ZRASTERD_IMAGES_H

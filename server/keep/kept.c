@@ -2,10 +2,11 @@
 
 #include <malloc.h>
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { CHAINS = 4096, BLOCK = 4096 };
+enum { CHAINS = 4096, BLOCK = 4096, NOTES = 1 << 14 };
 
 struct kept {
     pthread_mutex_t lock;
@@ -14,6 +15,7 @@ struct kept {
     struct kept_state state;
     struct kept_value *newest, *oldest; /* in the order of last use */
     struct kept_value *chains[CHAINS];
+    _Atomic uint64_t notes[NOTES]; /* beginnings of hashes, in places that follow from them; inverted: too large */
 };
 
 /* A value that a request uses. */
@@ -21,6 +23,12 @@ struct kept_held {
     struct kept_value *value;
     struct kept_held *next;
 };
+
+const char *kept_word(enum kept_table table)
+{
+    static const char *const words[KEPT_TABLES] = {"images", "texts", "meshes", "answers"};
+    return words[table];
+}
 
 struct kept *kept_open(const struct kept_kind *kind, uint64_t max_bytes)
 {
@@ -99,12 +107,20 @@ static void remove_down_to(struct kept *kept, uint64_t bytes, struct kept_value 
 
 /* ---- all values ---- */
 
+static void free_value(const struct kept *kept, struct kept_value *value)
+{
+    if (kept->kind->free)
+        kept->kind->free(value);
+    else
+        free(value);
+}
+
 /* Frees removed values, without the lock: large ones take a while, for which nobody waits. */
 static void free_removed(const struct kept *kept, struct kept_value *removed)
 {
     for (struct kept_value *next; removed; removed = next) {
         next = removed->next;
-        kept->kind->free(removed);
+        free_value(kept, removed);
     }
 }
 
@@ -130,6 +146,7 @@ void kept_close(struct kept *kept)
 
 struct kept_state kept_look(struct kept *kept)
 {
+    if (!kept) return (struct kept_state){0};
     pthread_mutex_lock(&kept->lock);
     const struct kept_state state = kept->state;
     pthread_mutex_unlock(&kept->lock);
@@ -139,6 +156,36 @@ struct kept_state kept_look(struct kept *kept)
 uint64_t kept_max_bytes(const struct kept *kept)
 {
     return kept->max_bytes;
+}
+
+/* ---- notes ---- */
+
+static uint64_t beginning_of(const struct zr_file_hash *hash)
+{
+    uint64_t beginning;
+    memcpy(&beginning, hash->bytes, sizeof beginning);
+    return beginning;
+}
+
+bool kept_is_noted(const struct kept *kept, const struct zr_file_hash *hash)
+{
+    const uint64_t beginning = beginning_of(hash);
+    return atomic_load_explicit(&kept->notes[beginning % NOTES], memory_order_relaxed) == beginning;
+}
+
+bool kept_note(struct kept *kept, const struct zr_file_hash *hash)
+{
+    const uint64_t beginning = beginning_of(hash);
+    _Atomic uint64_t *note = &kept->notes[beginning % NOTES];
+    const uint64_t before = atomic_load_explicit(note, memory_order_relaxed);
+    if (before != ~beginning) atomic_store_explicit(note, beginning, memory_order_relaxed);
+    return before == beginning;
+}
+
+void kept_note_large(struct kept *kept, const struct zr_file_hash *hash)
+{
+    const uint64_t beginning = beginning_of(hash);
+    atomic_store_explicit(&kept->notes[beginning % NOTES], ~beginning, memory_order_relaxed);
 }
 
 /* ---- values of one request ---- */
@@ -196,7 +243,7 @@ bool kept_add(struct kept *kept, struct kept_value *value, struct kept_held **he
     }
     pthread_mutex_unlock(&kept->lock);
     free_removed(kept, removed);
-    if (!stays) kept->kind->free(value);
+    if (!stays) free_value(kept, value);
     return one || !held;
 }
 
@@ -211,7 +258,7 @@ void kept_release(struct kept *kept, struct kept_held **held)
     pthread_mutex_unlock(&kept->lock);
     while (*held) {
         struct kept_held *next = (*held)->next;
-        if ((*held)->value) kept->kind->free((*held)->value);
+        if ((*held)->value) free_value(kept, (*held)->value);
         free(*held);
         *held = next;
     }

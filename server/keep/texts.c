@@ -1,7 +1,6 @@
 #include "texts.h"
 
 #include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,12 +8,7 @@
 
 #include "base/cancel.h"
 
-enum { NOTES = 1 << 14, SAMPLES = 64, SAMPLE_BYTES = 64, COMPARED_AT_ONCE = 1 << 20, HASHES_TRIED = 16 };
-
-struct texts {
-    struct kept *kept;
-    _Atomic uint64_t notes[NOTES]; /* beginnings of hashes, in places that follow from them */
-};
+enum { SAMPLES = 64, SAMPLE_BYTES = 64, COMPARED_AT_ONCE = 1 << 20, HASHES_TRIED = 16 };
 
 struct text {
     struct kept_value value;
@@ -33,26 +27,10 @@ static void free_text(struct kept_value *value)
     free(value);
 }
 
-struct texts *texts_open(uint64_t max_bytes)
+struct kept *texts_open(uint64_t max_bytes)
 {
     static const struct kept_kind kind = {.free = free_text};
-    struct texts *texts = calloc(1, sizeof *texts);
-    if (texts) texts->kept = kept_open(&kind, max_bytes);
-    if (texts && texts->kept) return texts;
-    free(texts);
-    return NULL;
-}
-
-void texts_close(struct texts *texts)
-{
-    if (!texts) return;
-    kept_close(texts->kept);
-    free(texts);
-}
-
-struct kept *texts_kept(struct texts *texts)
-{
-    return texts ? texts->kept : NULL;
+    return kept_open(&kind, max_bytes);
 }
 
 /* ---- hashes ---- */
@@ -120,7 +98,7 @@ static bool find(void *context, const char *text, size_t size, const struct zr_c
     struct texts_use *use = context;
     hash_samples(text, size, hash);
     for (int i = 0; i < HASHES_TRIED && !zr_is_cancelled(cancel); i++) {
-        struct kept_value *value = kept_find(use->texts->kept, hash, &use->held, NULL);
+        struct kept_value *value = kept_find(use->texts, hash, &use->held, NULL);
         const struct text *kept = (const struct text *)value;
         size_t at;
         if (!value) break;
@@ -133,35 +111,27 @@ static bool find(void *context, const char *text, size_t size, const struct zr_c
         add(hash, &at, sizeof at);
         add(hash, text + at, size - at < SAMPLE_BYTES ? size - at : SAMPLE_BYTES);
     }
-    kept_miss(use->texts->kept);
+    kept_miss(use->texts);
     return false;
-}
-
-/* True if the hash was noted before; notes it. */
-static bool note(struct texts *texts, const struct zr_file_hash *hash)
-{
-    uint64_t beginning;
-    memcpy(&beginning, hash->bytes, sizeof beginning);
-    return atomic_exchange_explicit(&texts->notes[beginning % NOTES], beginning, memory_order_relaxed) == beginning;
 }
 
 static void keep(void *context, const struct zr_file_hash *hash, const char *text, size_t size, const void *bytes,
                  size_t byte_count)
 {
-    struct texts *texts = ((struct texts_use *)context)->texts;
+    struct kept *texts = ((struct texts_use *)context)->texts;
     const uint64_t room = sizeof(struct text) + size + byte_count;
-    struct text *made = note(texts, hash) && room <= kept_max_bytes(texts->kept) ? malloc(room) : NULL;
+    struct text *made = kept_note(texts, hash) && room <= kept_max_bytes(texts) ? malloc(room) : NULL;
     if (!made) return;
     *made = (struct text){.value = {.hash = *hash, .bytes = room}, .size = size, .byte_count = byte_count};
     pthread_mutex_init(&made->lock, NULL);
     made->text = memcpy(made->room, text, size);
     made->bytes = memcpy(made->room + size, bytes, byte_count);
-    kept_add(texts->kept, &made->value, NULL);
+    kept_add(texts, &made->value, NULL);
 }
 
 struct zr_kept_texts texts_lend(struct texts_use *use)
 {
-    if (!use->texts || kept_max_bytes(use->texts->kept) == 0) return (struct zr_kept_texts){.find = NULL};
+    if (!use->texts || kept_max_bytes(use->texts) == 0) return (struct zr_kept_texts){.find = NULL};
     return (struct zr_kept_texts){find, keep, use};
 }
 
@@ -195,5 +165,5 @@ void texts_release(struct texts_use *use)
         next = use->found->next;
         free(use->found);
     }
-    if (use->texts) kept_release(use->texts->kept, &use->held);
+    if (use->texts) kept_release(use->texts, &use->held);
 }

@@ -3,7 +3,7 @@
  * A text is found by a hash of its size and some samples, and all of it is compared with a copy. One that differs from
  * the kept text of its hash has a next hash, made of the first difference. A text is kept when it is decoded for the
  * second time.
- * Thread: struct texts is thread-safe. One struct texts_use belongs to one request.
+ * Thread: one struct texts_use belongs to one request.
  */
 #ifndef ZRASTERD_TEXTS_H
 #define ZRASTERD_TEXTS_H
@@ -13,20 +13,12 @@
 #include "core.h"
 #include "kept.h"
 
-struct texts;
-
-/* Keeps up to `max_bytes`, the copies of the texts included; 0: none. NULL without memory. */
-struct texts *texts_open(uint64_t max_bytes);
-
-/* Frees all texts, which no request may use any more. NULL does nothing. */
-void texts_close(struct texts *texts);
-
-/* The table of the texts. NULL if `texts` is NULL. */
-struct kept *texts_kept(struct texts *texts);
+/* Keeps up to `max_bytes`, the copies of the texts included; 0: none. NULL without memory. Close it by kept_close. */
+struct kept *texts_open(uint64_t max_bytes);
 
 /* The texts of one request. `texts` may be NULL: none are kept. */
 struct texts_use {
-    struct texts *texts;
+    struct kept *texts;
     struct kept_held *held;
     struct text_found *found;
 };

@@ -16,7 +16,6 @@ static const int STATUSES[METRICS_STATUSES] = {0,   200, 201, 204, 206, 304, 400
 
 static const char *const STEPS[METRICS_STEPS] = {"parse", "queue", "render", "encode"};
 static const char *const ABORTS[METRICS_ABORTS] = {"client_left", "slow_reader", "malformed"};
-static const char *const KEPT[METRICS_KEPT] = {"images", "texts", "meshes", "answers"};
 
 struct metrics *metrics_create(void)
 {
@@ -119,9 +118,4 @@ const char *metrics_step_word(enum metrics_step step)
 const char *metrics_abort_word(enum metrics_abort abort)
 {
     return ABORTS[abort];
-}
-
-const char *metrics_kept_word(enum metrics_kept kept)
-{
-    return KEPT[kept];
 }

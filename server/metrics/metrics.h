@@ -23,7 +23,6 @@ enum { METRICS_ROUTES = 40, METRICS_METHODS = 6, METRICS_STATUSES = 34, METRICS_
 
 enum metrics_step { METRICS_PARSE, METRICS_QUEUE, METRICS_RENDER, METRICS_ENCODE, METRICS_STEPS };
 enum metrics_abort { METRICS_CLIENT_LEFT, METRICS_SLOW_READER, METRICS_MALFORMED, METRICS_ABORTS };
-enum metrics_kept { METRICS_IMAGES, METRICS_TEXTS, METRICS_MESHES, METRICS_ANSWERS, METRICS_KEPT };
 
 /* State of the daemon at one moment. */
 struct metrics_now {
@@ -31,7 +30,7 @@ struct metrics_now {
     size_t in_progress, streams;
     size_t connections[PHASES], connections_max;
     uint64_t answer_bytes, upload_bytes;
-    struct kept_state kept[METRICS_KEPT];
+    struct kept_state kept[KEPT_TABLES];
     uint64_t lost_lines;
     bool is_ready;
     const char *isa;
@@ -63,6 +62,5 @@ const char *metrics_method(size_t method);
 int metrics_status(size_t status);
 const char *metrics_step_word(enum metrics_step step);
 const char *metrics_abort_word(enum metrics_abort abort);
-const char *metrics_kept_word(enum metrics_kept kept);
 
 #endif

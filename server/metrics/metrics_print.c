@@ -174,10 +174,10 @@ static void print_connections(const struct printer *p)
 /* Prints a number of each kind of kept values; `offset`: of the number in struct kept_state. */
 static void print_kept(const struct printer *p, size_t offset)
 {
-    for (enum metrics_kept i = METRICS_IMAGES; i < METRICS_KEPT; i++) {
+    for (enum kept_table i = KEPT_IMAGES; i < KEPT_TABLES; i++) {
         uint64_t value;
         memcpy(&value, (const char *)&p->now->kept[i] + offset, sizeof value);
-        print_labelled(p, (double)value, "kind=\"%s\"", metrics_kept_word(i));
+        print_labelled(p, (double)value, "kind=\"%s\"", kept_word(i));
     }
 }
 

@@ -15,11 +15,11 @@ enum body_status {
 /* Decompresses the body into *render, whose other members are those of request->render, and finds its parts. */
 enum body_status body_split(const struct work *work, struct zr_request *render, struct multipart **parts);
 
-/* Fills *render from request->render, which stays unchanged. Memory comes from the arena. Of the two cancellations, only
+/* Fills *render from request->render, which stays unchanged. Memory comes from the arena. Of the cancellations, only
  * `reading` counts, which may be NULL. */
 enum body_status body_unpack(const struct work *work, struct zr_request *render);
 
-/* Returns what follows: REQUEST_WORK if the body is ready, REQUEST_LARGE, or REQUEST_ANSWERED; the answer is then set. */
+/* Returns REQUEST_WORK if the body is ready, else REQUEST_LARGE, or REQUEST_ANSWERED: the answer is then set. */
 enum request_next body_next(const struct work *work, enum body_status status);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cjson/cJSON.h>
@@ -16,31 +17,24 @@ static void answer_text(struct answer *answer, char *text, int length)
     answer_header(answer, "Cache-Control", "no-store");
 }
 
-enum { COUNTS_SIZE = 192 };
-
-/* Writes the counts of kept values as JSON. `kept` may be NULL. */
-static void write_counts(struct kept *kept, char out[COUNTS_SIZE])
-{
-    struct kept_state state = {0};
-    if (kept) state = kept_look(kept);
-    snprintf(out, COUNTS_SIZE,
-             "{\"count\":%" PRIu64 ",\"bytes\":%" PRIu64 ",\"hits\":%" PRIu64 ",\"misses\":%" PRIu64
-             ",\"dropped\":%" PRIu64 "}",
-             state.count, state.bytes, state.hits, state.misses, state.dropped);
-}
-
+/* Writes the counts of each table of kept values. */
 bool health_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
-    char images[COUNTS_SIZE], texts[COUNTS_SIZE], meshes[COUNTS_SIZE], answers[COUNTS_SIZE], *text = NULL;
-    write_counts(service->images, images);
-    write_counts(texts_kept(service->texts), texts);
-    write_counts(meshes_kept(service->meshes), meshes);
-    write_counts(service->answers, answers);
+    enum { TEXT_SIZE = 1024 };
+    char *text = malloc(TEXT_SIZE);
+    int used = text ? snprintf(text, TEXT_SIZE, "{") : -1;
     (void)load;
     (void)request;
-    const int length = asprintf(&text, "{\"images\":%s,\"texts\":%s,\"meshes\":%s,\"answers\":%s,\"status\":\"ok\"}\n",
-                                images, texts, meshes, answers);
-    answer_text(answer, text, length);
+    for (int i = 0; text && i < KEPT_TABLES; i++) {
+        const struct kept_state state = kept_look(service->kept[i]);
+        used +=
+            snprintf(text + used, TEXT_SIZE - (size_t)used,
+                     "\"%s\":{\"count\":%" PRIu64 ",\"bytes\":%" PRIu64 ",\"hits\":%" PRIu64 ",\"misses\":%" PRIu64
+                     ",\"dropped\":%" PRIu64 "},",
+                     kept_word((enum kept_table)i), state.count, state.bytes, state.hits, state.misses, state.dropped);
+    }
+    if (text) used += snprintf(text + used, TEXT_SIZE - (size_t)used, "\"status\":\"ok\"}\n");
+    answer_text(answer, text, used);
     return false;
 }
 

@@ -421,9 +421,9 @@ enum request_next rendering_run(const struct rendering_kind *kind, const struct 
     struct zr_error error = {0};
     struct rendering r = {.work = work,
                           .run = {.arena = work->arena, .team = service->team, .cancel = work->cancel, .error = &error},
-                          .images = {.images = service->images, .texts = &r.texts},
-                          .texts = {.texts = service->texts},
-                          .meshes = {.meshes = service->meshes}};
+                          .images = {.images = service->kept[KEPT_IMAGES], .texts = &r.texts},
+                          .texts = {.texts = service->kept[KEPT_TEXTS]},
+                          .meshes = {.meshes = service->kept[KEPT_MESHES]}};
     struct zr_request unpacked;
     int64_t mark = clock_us();
     const enum request_next next = body_next(work, kind->unpack(work, &unpacked));

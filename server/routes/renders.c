@@ -124,7 +124,7 @@ static bool read_parameters(struct request *request, const char *preset, struct 
 static bool answer_kept(const struct service *service, const struct request *request, struct answer *answer)
 {
     bool is_pinned;
-    if (!answers_find(service->answers, &request->answer_key, answer, &is_pinned)) return false;
+    if (!answers_find(service->kept[KEPT_ANSWERS], &request->answer_key, answer, &is_pinned)) return false;
     if (request->has_answer) {
         answer_free(answer);
         answer_unchanged(service, request, answer);
@@ -208,7 +208,7 @@ static void finish(const struct work *work, bool is_pinned)
         answer->is_unsized = !sizes_find(service->sizes, &request->answer_key, &answer->size, &is_pinned);
     else
         sizes_note(service->sizes, &request->answer_key, answer->size, is_pinned);
-    answers_keep(service->answers, &request->answer_key, answer, is_pinned);
+    answers_keep(service->kept[KEPT_ANSWERS], &request->answer_key, answer, is_pinned);
     add_headers(request, is_pinned, answer);
 }
 

@@ -126,7 +126,7 @@ static char *copy_answer(enum zr_status status, const struct zr_answer *answer, 
 
 static struct kept *images; /* for requests that keep meshes */
 
-static struct answered ask_within(struct zr_arena *arena, struct meshes *meshes, const struct row *row)
+static struct answered ask_within(struct zr_arena *arena, struct kept *meshes, const struct row *row)
 {
     struct meshes_use use = {meshes, NULL};
     struct images_use images_use = {meshes ? images : NULL, NULL, NULL};
@@ -157,7 +157,7 @@ static struct answered ask_within(struct zr_arena *arena, struct meshes *meshes,
     return answered;
 }
 
-static struct answered ask(struct meshes *meshes, const struct row *row, size_t ceiling)
+static struct answered ask(struct kept *meshes, const struct row *row, size_t ceiling)
 {
     struct zr_arena arena;
     zr_arena_init(&arena, ceiling);
@@ -178,16 +178,11 @@ static void assert_same(const struct answered *want, struct answered got, const 
     answered_free(&got);
 }
 
-static struct meshes *open_meshes(uint64_t max_bytes)
+static struct kept *open_meshes(uint64_t max_bytes)
 {
-    struct meshes *meshes = meshes_open(max_bytes);
+    struct kept *meshes = meshes_open(max_bytes);
     assert_non_null(meshes);
     return meshes;
-}
-
-static struct kept_state look(struct meshes *meshes)
-{
-    return kept_look(meshes_kept(meshes));
 }
 
 /* ---- tests ---- */
@@ -197,7 +192,7 @@ TEST(answers_are_the_same_with_and_without_kept_meshes)
 {
     struct answered want[ROWS];
     images = images_open(1 << 20);
-    struct meshes *many = open_meshes(1 << 28), *few = open_meshes(1 << 20), *off = open_meshes(0);
+    struct kept *many = open_meshes(1 << 28), *few = open_meshes(1 << 20), *off = open_meshes(0);
     for (int i = 0; i < ROWS; i++) {
         want[i] = ask(NULL, &rows[i], ARENA_BYTES);
         if ((want[i].status != ZR_OK) != rows[i].fails)
@@ -210,18 +205,18 @@ TEST(answers_are_the_same_with_and_without_kept_meshes)
             assert_same(&want[i], ask(few, &rows[i], ARENA_BYTES), rows[i].name, "few kept");
             assert_same(&want[i], ask(off, &rows[i], ARENA_BYTES), rows[i].name, "none kept");
         }
-    assert_true(look(many).hits > ROWS && look(many).dropped == 0);
-    assert_true(look(few).dropped > 0 && look(few).bytes <= 1 << 20);
-    assert_int_equal(look(off).count, 0);
-    assert_true(kept_drop(meshes_kept(many)));
-    assert_int_equal(look(many).bytes, 0);
+    assert_true(kept_look(many).hits > ROWS && kept_look(many).dropped == 0);
+    assert_true(kept_look(few).dropped > 0 && kept_look(few).bytes <= 1 << 20);
+    assert_int_equal(kept_look(off).count, 0);
+    assert_true(kept_drop(many));
+    assert_int_equal(kept_look(many).bytes, 0);
     for (int i = 0; i < ROWS; i++) {
         assert_same(&want[i], ask(many, &rows[i], ARENA_BYTES), rows[i].name, "all dropped");
         answered_free(&want[i]);
     }
-    meshes_close(many);
-    meshes_close(few);
-    meshes_close(off);
+    kept_close(many);
+    kept_close(few);
+    kept_close(off);
     kept_close(images);
     images = NULL;
 }
@@ -234,7 +229,7 @@ static const struct row *row_of(const char *name)
     return row;
 }
 
-static void ask_and_forget(struct meshes *meshes, const struct row *row, size_t ceiling)
+static void ask_and_forget(struct kept *meshes, const struct row *row, size_t ceiling)
 {
     struct answered answered = ask(meshes, row, ceiling);
     answered_free(&answered);
@@ -247,17 +242,17 @@ TEST(a_file_is_kept_from_the_second_time_on)
         uint64_t count;
     } all[] = {{"STL", 1}, {"small OBJ", 0}, {"broken glTF", 0}, {"scene of a stored file", 1}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        struct meshes *meshes = open_meshes(1 << 28);
+        struct kept *meshes = open_meshes(1 << 28);
         ask_and_forget(meshes, row_of(all[i].name), ARENA_BYTES);
-        assert_int_equal(look(meshes).count, 0);
+        assert_int_equal(kept_look(meshes).count, 0);
         ask_and_forget(meshes, row_of(all[i].name), ARENA_BYTES);
-        assert_int_equal(look(meshes).count, all[i].count);
-        assert_int_equal(look(meshes).hits, 0);
+        assert_int_equal(kept_look(meshes).count, all[i].count);
+        assert_int_equal(kept_look(meshes).hits, 0);
         reads = 0;
         ask_and_forget(meshes, row_of(all[i].name), ARENA_BYTES);
-        assert_int_equal(look(meshes).hits, all[i].count);
+        assert_int_equal(kept_look(meshes).hits, all[i].count);
         assert_int_equal(reads, 0);
-        meshes_close(meshes);
+        kept_close(meshes);
     }
 }
 
@@ -265,7 +260,7 @@ TEST(a_file_is_kept_from_the_second_time_on)
 TEST(changed_bytes_are_another_file)
 {
     static const char *const names[] = {"STL", "GLB", "glTF with its buffer", "scene of glTF"};
-    struct meshes *meshes = open_meshes(1 << 28);
+    struct kept *meshes = open_meshes(1 << 28);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         const struct row *row = row_of(names[i]);
         struct sheet_file *file = &files[row->parts[0].name ? BIN : row->body];
@@ -282,7 +277,7 @@ TEST(changed_bytes_are_another_file)
             file->bytes[at] = old;
         }
     }
-    meshes_close(meshes);
+    kept_close(meshes);
 }
 
 /* Otherwise the first one would stay, and all of its changes would be read anew for ever. */
@@ -291,12 +286,12 @@ TEST(files_that_differ_between_samples_are_kept_beside_each_other)
     enum { FILES = 4, FIRST = 4002, STEP = 24 };
     static const char *const names[] = {"STL", "GLB", "glTF with its buffer", "scene of glTF"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        struct meshes *meshes = open_meshes(1 << 28);
+        struct kept *meshes = open_meshes(1 << 28);
         const struct row *row = row_of(names[i]);
         char *bytes = files[row->parts[0].name ? BIN : row->body].bytes;
         uint64_t misses = 0;
         for (int round = 0; round < 2; round++) {
-            misses = look(meshes).misses;
+            misses = kept_look(meshes).misses;
             for (int k = 0; k < FILES; k++) {
                 bytes[FIRST + STEP * k] ^= 1;
                 for (int again = 0; again < 2; again++)
@@ -304,10 +299,10 @@ TEST(files_that_differ_between_samples_are_kept_beside_each_other)
                 bytes[FIRST + STEP * k] ^= 1;
             }
         }
-        if (look(meshes).count != FILES || look(meshes).misses != misses)
-            fail_msg("%s: %d kept, %d read anew", names[i], (int)look(meshes).count,
-                     (int)(look(meshes).misses - misses));
-        meshes_close(meshes);
+        if (kept_look(meshes).count != FILES || kept_look(meshes).misses != misses)
+            fail_msg("%s: %d kept, %d read anew", names[i], (int)kept_look(meshes).count,
+                     (int)(kept_look(meshes).misses - misses));
+        kept_close(meshes);
     }
 }
 
@@ -316,7 +311,7 @@ TEST(limits_of_memory_hold_for_kept_meshes)
 {
     static const char *const names[] = {
         "STL", "OBJ", "GLB", "scene of parts", "scene of a stored file", "scene of a file twice"};
-    struct meshes *meshes = open_meshes(1 << 28);
+    struct kept *meshes = open_meshes(1 << 28);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         const struct row *row = row_of(names[i]);
         int failed = 0, done = 0;
@@ -334,13 +329,13 @@ TEST(limits_of_memory_hold_for_kept_meshes)
         }
         if (failed < 3 || done < 3) fail_msg("%s: %d ceilings are too low, %d are not", names[i], failed, done);
     }
-    meshes_close(meshes);
+    kept_close(meshes);
 }
 
 TEST(memory_stays_within_its_bound_over_many_meshes)
 {
     enum { MESHES = 1000, MAX_BYTES = 4 << 20 };
-    struct meshes *meshes = open_meshes(MAX_BYTES);
+    struct kept *meshes = open_meshes(MAX_BYTES);
     struct zr_arena arena;
     zr_arena_init(&arena, ARENA_BYTES);
     for (int i = 0; i < MESHES; i++) {
@@ -358,22 +353,22 @@ TEST(memory_stays_within_its_bound_over_many_meshes)
             assert_int_equal(
                 zr_scene_read(&(struct zr_run){.arena = &arena, .error = &error}, &request, &limits, &scene), ZR_OK);
             meshes_release(&use);
-            assert_true(look(meshes).bytes <= MAX_BYTES);
+            assert_true(kept_look(meshes).bytes <= MAX_BYTES);
         }
     }
-    assert_true(look(meshes).count > 2 && look(meshes).dropped + look(meshes).count == MESHES);
+    assert_true(kept_look(meshes).count > 2 && kept_look(meshes).dropped + kept_look(meshes).count == MESHES);
     memset(files[STL].bytes, 0, sizeof(int));
     zr_arena_free(&arena);
-    meshes_close(meshes);
+    kept_close(meshes);
 }
 
 TEST(a_mesh_in_use_stays_and_too_large_ones_are_not_kept)
 {
-    struct meshes *meshes = open_meshes(600 << 10);
+    struct kept *meshes = open_meshes(600 << 10);
     for (int again = 0; again < 4; again++)
         ask_and_forget(meshes, row_of("STL"), ARENA_BYTES);
-    assert_int_equal(look(meshes).count, 0);
-    meshes_close(meshes);
+    assert_int_equal(kept_look(meshes).count, 0);
+    kept_close(meshes);
     ask_and_forget(NULL, row_of("STL"), ARENA_BYTES);
 }
 
@@ -382,7 +377,7 @@ TEST(a_mesh_in_use_stays_and_too_large_ones_are_not_kept)
 enum { THREADS = 3, ROUNDS = 20 };
 
 struct thread {
-    struct meshes *meshes;
+    struct kept *meshes;
     const struct answered *want; /* by rows */
     int first;
     bool is_right;
@@ -404,7 +399,7 @@ static void *ask_often(void *context)
         thread->is_right &= got.status == want->status && got.size == want->size && got.held == want->held &&
                             memcmp(got.bytes, want->bytes, got.size) == 0;
         answered_free(&got);
-        if (i % 10 == 9) kept_drop(meshes_kept(thread->meshes));
+        if (i % 10 == 9) kept_drop(thread->meshes);
     }
     zr_arena_free(&arena);
     return NULL;
@@ -412,7 +407,7 @@ static void *ask_often(void *context)
 
 TEST(threads_share_meshes_and_drop_them)
 {
-    struct meshes *meshes = open_meshes(3 << 20);
+    struct kept *meshes = open_meshes(3 << 20);
     struct answered want[SHARED];
     struct thread all[THREADS];
     pthread_t threads[THREADS];
@@ -426,10 +421,10 @@ TEST(threads_share_meshes_and_drop_them)
         assert_int_equal(pthread_join(threads[i], NULL), 0);
         assert_true(all[i].is_right);
     }
-    assert_true(look(meshes).hits > 0 && look(meshes).dropped > 0);
+    assert_true(kept_look(meshes).hits > 0 && kept_look(meshes).dropped > 0);
     for (int i = 0; i < SHARED; i++)
         answered_free(&want[i]);
-    meshes_close(meshes);
+    kept_close(meshes);
 }
 
 RUN_TESTS(make_files, free_files)
