@@ -21,8 +21,7 @@
 #include "keep/meshes.h"
 #include "keep/store.h"
 #include "keep/texts.h"
-#include "log/step_times.h"
-#include "log/trace.h"
+#include "log/log.h"
 #include "mcp/handler.h"
 #include "routes/multipart.h"
 
@@ -51,7 +50,7 @@ struct service {
 void service_init(struct service *service, const struct config *config, struct zr_team *team,
                   struct slowness *slowness);
 
-/* Load of the daemon at the beginning of a request. */
+/* Load of the daemon. */
 struct load {
     bool leaving, draining;            /* the daemon is to end; it takes no more work */
     bool queue_full, large_queue_full; /* the queue for a body of this size; the one for large bodies */
@@ -67,6 +66,7 @@ struct route;
 struct request {
     char id[REQUEST_ID_SIZE];
     struct trace trace;
+    struct load load; /* at its beginning */
     const char *method, *path;
     char *query;                                                 /* after the '?', or NULL */
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
@@ -133,8 +133,7 @@ struct route {
     bool open_to_all;           /* needs no token */
 
     /* Checks all that is known before the body. False: the answer is ready. */
-    bool (*open)(const struct service *service, const struct load *load, struct request *request,
-                 struct answer *answer);
+    bool (*open)(const struct service *service, struct request *request, struct answer *answer);
 
     /* Returns REQUEST_ANSWERED or REQUEST_LARGE. Thread-safe. NULL: `open` answers. */
     enum request_next (*work)(const struct work *work);

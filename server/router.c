@@ -6,17 +6,8 @@
 
 #include "gate/admit.h"
 #include "gate/origin.h"
-#include "gate/safety.h"
 #include "problem.h"
-#include "routes/agents.h"
-#include "routes/assets.h"
-#include "routes/contract.h"
-#include "routes/drake.h"
-#include "routes/health.h"
-#include "routes/metrics.h"
-#include "routes/rendering.h"
-#include "routes/renders.h"
-#include "routes/site.h"
+#include "routes/routes.h"
 #include "text.h"
 
 static const struct route ROUTES[] = {
@@ -103,14 +94,14 @@ static bool read_content_encoding(struct request *request, struct answer *answer
 }
 
 /* Opens a request for a worker. */
-static enum request_next open_work(const struct service *service, const struct load *load, struct request *request,
-                                   struct answer *answer)
+static enum request_next open_work(const struct service *service, struct request *request, struct answer *answer)
 {
+    const struct load *load = &request->load;
     if (load->draining) {
         problem_busy(answer, load->retry_after_s, load_busy_with(load, service, false));
         return REQUEST_ANSWERED;
     }
-    if (!read_content_encoding(request, answer) || !request->route->open(service, load, request, answer))
+    if (!read_content_encoding(request, answer) || !request->route->open(service, request, answer))
         return REQUEST_ANSWERED;
     const enum refusal busy = load_busy_with(load, service, request->route->makes_answer);
     if (!busy) return REQUEST_WORK;
@@ -128,8 +119,7 @@ static bool answer_options(const struct request *request, struct answer *answer)
     return true;
 }
 
-enum request_next router_open(const struct service *service, const struct load *load, struct request *request,
-                              struct answer *answer)
+enum request_next router_open(const struct service *service, struct request *request, struct answer *answer)
 {
     const struct route *route = request->route = find_route(request->path);
     answer->is_plain = route && route->has_plain_errors;
@@ -141,17 +131,37 @@ enum request_next router_open(const struct service *service, const struct load *
         answer_header(answer, "Allow", "%s, OPTIONS", route->methods);
         problem_answer(answer, 405, "%s takes %s", route->path, route->methods);
     } else if (route->work) {
-        return open_work(service, load, request, answer);
+        return open_work(service, request, answer);
     } else {
-        route->open(service, load, request, answer);
+        route->open(service, request, answer);
     }
     return REQUEST_ANSWERED;
+}
+
+/* An SVG that is opened as a document runs nothing and loads nothing; its paper is a style. */
+#define POLICY "default-src 'none'; style-src 'unsafe-inline'; sandbox"
+
+static void add_missing(struct answer *answer, const char *name, const char *value)
+{
+    if (!answer_find(answer, name)) answer_header(answer, name, "%s", value);
+}
+
+/* Adds headers that keep browsers from doing more with an answer than showing it, and caches from keeping faults. Pages
+ * have policies of their own; pictures and assets, which pages of other sites may show, have
+ * Cross-Origin-Resource-Policy: cross-origin. */
+static void add_safety(struct answer *answer)
+{
+    add_missing(answer, "X-Content-Type-Options", "nosniff");
+    add_missing(answer, "Content-Security-Policy", POLICY);
+    add_missing(answer, "Cross-Origin-Resource-Policy", "same-origin");
+    add_missing(answer, "Referrer-Policy", "no-referrer");
+    if (answer->status >= 400) add_missing(answer, "Cache-Control", "no-store");
 }
 
 void router_finish(struct answer *answer, const struct service *service, const struct request *request)
 {
     origin_finish(service->config, request, answer);
-    safety_finish(answer);
+    add_safety(answer);
     answer_header(answer, "X-Request-Id", "%s", request->id);
     if (*request->trace.id) answer_header(answer, "traceresponse", "%s", request->trace.answer);
     answer_header(answer, "Zraster-Version", ZR_VERSION);

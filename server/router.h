@@ -5,8 +5,7 @@
 #include "request.h"
 
 /* Finds the route, checks token and method, and opens the request. Returns REQUEST_ANSWERED or REQUEST_WORK. */
-enum request_next router_open(const struct service *service, const struct load *load, struct request *request,
-                              struct answer *answer);
+enum request_next router_open(const struct service *service, struct request *request, struct answer *answer);
 
 /* Adds the headers of all answers. Call once, last. A refused request may lack all but its id. */
 void router_finish(struct answer *answer, const struct service *service, const struct request *request);

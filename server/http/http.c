@@ -144,17 +144,23 @@ static void look(void *context, struct metrics_now *now)
 {
     struct http *http = context;
     const struct service *service = http->service;
-    now->queue = queue_look(http->queue);
-    now->in_progress = http->in_flight;
-    now->streams = atomic_load(&http->streams);
+    const struct queue_state queue = queue_look(http->queue);
+    double *numbers = now->numbers;
+    numbers[METRICS_WORKERS] = (double)queue.workers;
+    numbers[METRICS_BUSY] = (double)queue.busy;
+    numbers[METRICS_RENDER_BYTES] = (double)queue.used_bytes;
+    numbers[METRICS_IN_PROGRESS] = (double)http->in_flight;
+    numbers[METRICS_STREAMS] = (double)atomic_load(&http->streams);
+    numbers[METRICS_CONNECTIONS_MAX] = (double)http->config->max_connections;
+    numbers[METRICS_ANSWER_BYTES] = (double)atomic_load(&http->answer_bytes);
+    numbers[METRICS_UPLOAD_BYTES] = (double)atomic_load(&http->uploads.held);
+    numbers[METRICS_LOST_LINES] = (double)log_writer_lost_ever();
+    for (int i = 0; i < QUEUE_LANES; i++)
+        now->waiting[i] = queue.waiting[i];
     for (int i = 0; i < PHASES; i++)
         now->connections[i] = http->connections.counts[i];
-    now->connections_max = (size_t)http->config->max_connections;
-    now->answer_bytes = atomic_load(&http->answer_bytes);
-    now->upload_bytes = atomic_load(&http->uploads.held);
     for (int i = 0; i < KEPT_TABLES; i++)
         now->kept[i] = kept_look(service->kept[i]);
-    now->lost_lines = log_writer_lost_ever();
 }
 
 struct http *http_start(const struct config *config, struct service *service, char *message, size_t message_size)

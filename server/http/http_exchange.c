@@ -252,15 +252,17 @@ static size_t count_coming(const struct http *http)
     return count;
 }
 
-static void get_load(struct http *http, uint64_t body_bytes, struct load *load)
+static struct load load_for(struct http *http, uint64_t body_bytes)
 {
-    load->leaving = atomic_load(&http->leaving);
-    load->draining = atomic_load(&http->draining);
-    enum queue_lane lane = http_lane_of(body_bytes);
-    load->queue_full = queue_is_full(http->queue, lane, lane == QUEUE_LARGE ? count_coming(http) : 0);
-    load->large_queue_full = queue_is_full(http->queue, QUEUE_LARGE, 0);
-    load->answers_full = http_answers_are_full(http);
-    load->retry_after_s = queue_wait_estimate_s(http->queue, lane);
+    const enum queue_lane lane = http_lane_of(body_bytes);
+    return (struct load){
+        .leaving = atomic_load(&http->leaving),
+        .draining = atomic_load(&http->draining),
+        .queue_full = queue_is_full(http->queue, lane, lane == QUEUE_LARGE ? count_coming(http) : 0),
+        .large_queue_full = queue_is_full(http->queue, QUEUE_LARGE, 0),
+        .answers_full = http_answers_are_full(http),
+        .retry_after_s = queue_wait_estimate_s(http->queue, lane),
+    };
 }
 
 /* ---- requests ---- */
@@ -359,26 +361,25 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
 {
     struct http *http = exchange->http;
     struct answer *answer = &exchange->answer;
-    struct load load;
     uint64_t most;
     open_exchange(exchange, method, version);
     split_target(exchange);
     connections_enter(&http->connections, exchange->connection, PHASE_BODY);
     const bool is_chunked = header(exchange, "Transfer-Encoding") != NULL;
     const bool expects_continue = header(exchange, "Expect") != NULL;
-    get_load(http, exchange->length, &load);
+    exchange->request.load = load_for(http, exchange->length);
     if (exchange->length > http->config->body_max_bytes) {
         problem_answer(answer, 413, "the body has %llu bytes; bodyMaxBytes is %llu",
                        (unsigned long long)exchange->length, (unsigned long long)http->config->body_max_bytes);
         return reply_early(exchange, is_chunked, expects_continue);
     }
-    if (router_open(http->service, &load, &exchange->request, answer) == REQUEST_ANSWERED)
+    if (router_open(http->service, &exchange->request, answer) == REQUEST_ANSWERED)
         return reply_early(exchange, is_chunked, expects_continue);
     const char *forbids = connections_admit(&http->connections, exchange->connection, &exchange->client, &most);
     if (forbids) {
         char client[IP_TEXT_SIZE];
         ip_print(&exchange->client, client);
-        answer_header(answer, "Retry-After", "%u", load.retry_after_s);
+        answer_header(answer, "Retry-After", "%u", exchange->request.load.retry_after_s);
         problem_answer(answer, 429, "%s allows %llu requests in flight from %s", forbids, (unsigned long long)most,
                        client);
         answer->refusal = REFUSAL_CLIENT;

@@ -5,7 +5,6 @@
 #include "clock.h"
 #include "http_end.h"
 #include "problem.h"
-#include "router.h"
 #include "routes/parts.h"
 
 enum queue_lane http_lane_of(uint64_t body_bytes)

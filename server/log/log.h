@@ -10,8 +10,14 @@
 #include <stdint.h>
 
 #include "refusal.h"
-#include "step_times.h"
 #include "trace.h"
+
+/* Durations of the steps of a request, in ms. predicted_ms: predicted processor time of render and encode. Below 0: the
+ * step was not reached. */
+struct step_times {
+    double parse_ms, queue_ms, render_ms, encode_ms, predicted_ms;
+};
+#define NO_STEP_TIMES ((struct step_times){-1, -1, -1, -1, -1})
 
 /* Room for all texts of a request, each byte escaped to six. */
 enum { LOG_LINE_SIZE = 32 << 10 };

@@ -1,4 +1,4 @@
-/* metrics.h - counts of requests since the start, and the state of the daemon, for metrics_print.h.
+/* metrics.h - counts of requests since the start, and the state of the daemon, as text: metrics_print.c.
  *
  * A request is counted where its line is logged, so the sums agree with the log. Each label has its values from a table
  * of the program, never from a client: the number of series is bounded (METRICS_*). Memory is fixed. Counting takes
@@ -10,8 +10,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
-#include "histogram.h"
 #include "http/connections.h"
 #include "jobs/queue.h"
 #include "keep/kept.h"
@@ -24,15 +24,56 @@ enum { METRICS_ROUTES = 40, METRICS_METHODS = 6, METRICS_STATUSES = 34, METRICS_
 enum metrics_step { METRICS_PARSE, METRICS_QUEUE, METRICS_RENDER, METRICS_ENCODE, METRICS_STEPS };
 enum metrics_abort { METRICS_CLIENT_LEFT, METRICS_SLOW_READER, METRICS_MALFORMED, METRICS_ABORTS };
 
+enum { HISTOGRAM_BOUNDS_MAX = 16 };
+
+/* Upper bounds of the buckets, increasing; the last bucket has none. */
+struct histogram_bounds {
+    size_t count;
+    double values[HISTOGRAM_BOUNDS_MAX];
+};
+
+/* Seconds from 1 ms to 30 s; bytes from 1 KiB to 256 MiB. */
+extern const struct histogram_bounds histogram_seconds, histogram_bytes;
+
+struct histogram {
+    uint64_t buckets[HISTOGRAM_BOUNDS_MAX + 1]; /* not cumulative */
+    double sum;
+};
+
+/* Counts a value: in the first bucket whose bound is not below it. */
+void histogram_add(struct histogram *histogram, const struct histogram_bounds *bounds, double value);
+
+/* Returns the number of values. */
+uint64_t histogram_count(const struct histogram *histogram);
+
+/* Metrics with one number. metrics_print finds those from METRICS_WARNINGS on. */
+enum metrics_number {
+    METRICS_READY, /* 1 or 0 */
+    METRICS_WORKERS,
+    METRICS_BUSY,
+    METRICS_IN_PROGRESS,
+    METRICS_STREAMS,
+    METRICS_CONNECTIONS_MAX,
+    METRICS_ANSWER_BYTES,
+    METRICS_UPLOAD_BYTES,
+    METRICS_RENDER_BYTES,
+    METRICS_LOST_LINES,
+    METRICS_WARNINGS,
+    METRICS_TIMEOUTS,
+    METRICS_START_S,
+    METRICS_CPU_S,
+    METRICS_RESIDENT,
+    METRICS_VIRTUAL,
+    METRICS_OPEN_FILES,
+    METRICS_MAX_FILES,
+    METRICS_NUMBERS
+};
+
 /* State of the daemon at one moment. */
 struct metrics_now {
-    struct queue_state queue;
-    size_t in_progress, streams;
-    size_t connections[PHASES], connections_max;
-    uint64_t answer_bytes, upload_bytes;
+    double numbers[METRICS_NUMBERS];
+    size_t waiting[QUEUE_LANES], connections[PHASES];
     struct kept_state kept[KEPT_TABLES];
-    uint64_t lost_lines;
-    bool is_ready;
     const char *isa;
 };
 
@@ -62,5 +103,11 @@ const char *metrics_method(size_t method);
 int metrics_status(size_t status);
 const char *metrics_step_word(enum metrics_step step);
 const char *metrics_abort_word(enum metrics_abort abort);
+
+enum metrics_form { METRICS_TEXT, METRICS_OPEN };
+
+/* Prints all metrics: in Prometheus' text format 0.0.4, or in OpenMetrics 1.0. Series that have counted nothing are left
+ * out if they have labels of requests. */
+void metrics_print(FILE *out, const struct metrics *metrics, const struct metrics_now *now, enum metrics_form form);
 
 #endif

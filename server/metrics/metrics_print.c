@@ -1,12 +1,14 @@
-#include "metrics_print.h"
+#include "metrics.h"
 
+#include <dirent.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "core.h"
-#include "process.h"
 #include "scene/looks.h"
 
 enum type { COUNTER, GAUGE, HISTOGRAM, INFO };
@@ -14,11 +16,18 @@ enum type { COUNTER, GAUGE, HISTOGRAM, INFO };
 struct printer {
     FILE *out;
     const struct metrics *metrics;
-    const struct metrics_now *now;
-    struct process_now process;
+    struct metrics_now now;
     enum metrics_form form;
-    const char *name; /* of the family */
+    const struct family *family;
+};
+
+struct family {
+    const char *name; /* without _total and _info */
     enum type type;
+    const char *unit; /* "": none */
+    const char *help;
+    void (*print)(const struct printer *printer); /* NULL: one number */
+    size_t of;                                    /* enum metrics_number; or the offset of what `print` prints */
 };
 
 /* ---- samples ---- */
@@ -35,8 +44,10 @@ static void print_bound(FILE *out, double bound)
 /* Prints "NAME_total{labels} value" of a counter, and "NAME{labels} value" of a gauge. `labels` may be "". */
 static void print_sample(const struct printer *p, const char *labels, double value)
 {
-    const char *ending = p->type == COUNTER ? "_total" : p->type == INFO ? "_info" : "";
-    fprintf(p->out, "%s%s%s%s%s %.15g\n", p->name, ending, *labels ? "{" : "", labels, *labels ? "}" : "", value);
+    const enum type type = p->family->type;
+    const char *ending = type == COUNTER ? "_total" : type == INFO ? "_info" : "";
+    fprintf(p->out, "%s%s%s%s%s %.15g\n", p->family->name, ending, *labels ? "{" : "", labels, *labels ? "}" : "",
+            value);
 }
 
 __attribute__((format(printf, 3, 4))) static void print_labelled(const struct printer *p, double value,
@@ -57,7 +68,7 @@ static void print_histogram(const struct printer *p, const char *labels, const s
     const char *comma = *labels ? "," : "";
     for (size_t i = 0; i <= bounds->count; i++) {
         below += histogram->buckets[i];
-        fprintf(p->out, "%s_bucket{%s%sle=\"", p->name, labels, comma);
+        fprintf(p->out, "%s_bucket{%s%sle=\"", p->family->name, labels, comma);
         if (i < bounds->count)
             print_bound(p->out, bounds->values[i]);
         else
@@ -65,8 +76,8 @@ static void print_histogram(const struct printer *p, const char *labels, const s
         fprintf(p->out, "\"} %" PRIu64 "\n", below);
     }
     const char *open = *labels ? "{" : "", *close = *labels ? "}" : "";
-    fprintf(p->out, "%s_sum%s%s%s %.15g\n", p->name, open, labels, close, histogram->sum);
-    fprintf(p->out, "%s_count%s%s%s %" PRIu64 "\n", p->name, open, labels, close, below);
+    fprintf(p->out, "%s_sum%s%s%s %.15g\n", p->family->name, open, labels, close, histogram->sum);
+    fprintf(p->out, "%s_count%s%s%s %" PRIu64 "\n", p->family->name, open, labels, close, below);
 }
 
 static const char *route_word(const struct metrics *metrics, size_t route)
@@ -110,14 +121,11 @@ static void print_steps(const struct printer *p)
     }
 }
 
-static void print_bodies(const struct printer *p)
+/* Prints a histogram of struct metrics. */
+static void print_bytes(const struct printer *p)
 {
-    print_histogram(p, "", &p->metrics->bodies, &histogram_bytes);
-}
-
-static void print_answers(const struct printer *p)
-{
-    print_histogram(p, "", &p->metrics->answers, &histogram_bytes);
+    const void *histogram = (const char *)p->metrics + p->family->of;
+    print_histogram(p, "", histogram, &histogram_bytes);
 }
 
 static void print_pictures(const struct printer *p)
@@ -125,11 +133,6 @@ static void print_pictures(const struct printer *p)
     for (int i = 0; i < zr_look_count && i < METRICS_LOOKS; i++)
         if (p->metrics->pictures[i])
             print_labelled(p, (double)p->metrics->pictures[i], "look=\"%s\"", zr_look_pin_of(&zr_looks[i]).text);
-}
-
-static void print_warnings(const struct printer *p)
-{
-    print_sample(p, "", (double)p->metrics->warnings);
 }
 
 static void print_refusals(const struct printer *p)
@@ -144,22 +147,17 @@ static void print_aborts(const struct printer *p)
         print_labelled(p, (double)p->metrics->aborts[i], "reason=\"%s\"", metrics_abort_word(i));
 }
 
-static void print_timeouts(const struct printer *p)
-{
-    print_sample(p, "", (double)p->metrics->timeouts);
-}
-
 /* ---- families of the daemon ---- */
 
 static void print_build(const struct printer *p)
 {
-    print_labelled(p, 1, "version=\"" ZR_VERSION "\",isa=\"%s\",rules=\"%d\"", p->now->isa, ZR_RULES);
+    print_labelled(p, 1, "version=\"" ZR_VERSION "\",isa=\"%s\",rules=\"%d\"", p->now.isa, ZR_RULES);
 }
 
 static void print_queues(const struct printer *p)
 {
-    print_labelled(p, (double)p->now->queue.waiting[QUEUE_SMALL], "queue=\"small\"");
-    print_labelled(p, (double)p->now->queue.waiting[QUEUE_LARGE], "queue=\"large\"");
+    print_labelled(p, (double)p->now.waiting[QUEUE_SMALL], "queue=\"small\"");
+    print_labelled(p, (double)p->now.waiting[QUEUE_LARGE], "queue=\"large\"");
 }
 
 static void print_connections(const struct printer *p)
@@ -168,167 +166,125 @@ static void print_connections(const struct printer *p)
         [PHASE_IDLE] = "idle", [PHASE_HEADER] = "header", [PHASE_BODY] = "body",
         [PHASE_WORK] = "work", [PHASE_WRITE] = "write",   [PHASE_REFUSED] = "refused"};
     for (int i = 0; i < PHASES; i++)
-        print_labelled(p, (double)p->now->connections[i], "phase=\"%s\"", words[i]);
+        print_labelled(p, (double)p->now.connections[i], "phase=\"%s\"", words[i]);
 }
 
-/* Prints a number of each kind of kept values; `offset`: of the number in struct kept_state. */
-static void print_kept(const struct printer *p, size_t offset)
+/* Prints a number of struct kept_state for each table of kept values. */
+static void print_kept(const struct printer *p)
 {
     for (enum kept_table i = KEPT_IMAGES; i < KEPT_TABLES; i++) {
         uint64_t value;
-        memcpy(&value, (const char *)&p->now->kept[i] + offset, sizeof value);
+        memcpy(&value, (const char *)&p->now.kept[i] + p->family->of, sizeof value);
         print_labelled(p, (double)value, "kind=\"%s\"", kept_word(i));
     }
 }
 
-static void print_hits(const struct printer *p)
+/* ---- this process, as the kernel describes it ---- */
+
+/* Counts the open files, without the one that lists them. */
+static double count_files(void)
 {
-    print_kept(p, offsetof(struct kept_state, hits));
+    DIR *folder = opendir("/proc/self/fd");
+    double count = -1;
+    if (!folder) return -1;
+    for (const struct dirent *entry; (entry = readdir(folder));)
+        count += entry->d_name[0] != '.';
+    closedir(folder);
+    return count;
 }
 
-static void print_misses(const struct printer *p)
+static void read_memory(double numbers[METRICS_NUMBERS])
 {
-    print_kept(p, offsetof(struct kept_state, misses));
-}
-
-static void print_dropped(const struct printer *p)
-{
-    print_kept(p, offsetof(struct kept_state, dropped));
-}
-
-static void print_kept_bytes(const struct printer *p)
-{
-    print_kept(p, offsetof(struct kept_state, bytes));
-}
-
-static void print_kept_entries(const struct printer *p)
-{
-    print_kept(p, offsetof(struct kept_state, count));
-}
-
-/* ---- families with one number ---- */
-
-enum number {
-    WORKERS,
-    BUSY,
-    IN_PROGRESS,
-    STREAMS,
-    CONNECTIONS_MAX,
-    ANSWER_BYTES,
-    UPLOAD_BYTES,
-    RENDER_BYTES,
-    LOST_LINES,
-    READY,
-    CPU_S,
-    RESIDENT,
-    VIRTUAL,
-    OPEN_FILES,
-    MAX_FILES,
-    START_S,
-    NO_NUMBER
-};
-
-static double number_of(const struct printer *p, enum number number)
-{
-    const struct metrics_now *now = p->now;
-    switch (number) {
-    case WORKERS:
-        return (double)now->queue.workers;
-    case BUSY:
-        return (double)now->queue.busy;
-    case IN_PROGRESS:
-        return (double)now->in_progress;
-    case STREAMS:
-        return (double)now->streams;
-    case CONNECTIONS_MAX:
-        return (double)now->connections_max;
-    case ANSWER_BYTES:
-        return (double)now->answer_bytes;
-    case UPLOAD_BYTES:
-        return (double)now->upload_bytes;
-    case RENDER_BYTES:
-        return (double)now->queue.used_bytes;
-    case LOST_LINES:
-        return (double)now->lost_lines;
-    case READY:
-        return now->is_ready;
-    case CPU_S:
-        return p->process.cpu_s;
-    case RESIDENT:
-        return p->process.resident_bytes;
-    case VIRTUAL:
-        return p->process.virtual_bytes;
-    case OPEN_FILES:
-        return p->process.open_files;
-    case MAX_FILES:
-        return p->process.max_files;
-    case START_S:
-        return p->metrics->start_s;
-    case NO_NUMBER:
-        break;
+    unsigned long pages, resident;
+    FILE *file = fopen("/proc/self/statm", "re");
+    if (!file) return;
+    if (fscanf(file, "%lu %lu", &pages, &resident) == 2) {
+        const double page = (double)sysconf(_SC_PAGESIZE);
+        numbers[METRICS_VIRTUAL] = page * (double)pages;
+        numbers[METRICS_RESIDENT] = page * (double)resident;
     }
-    return -1;
+    fclose(file);
+}
+
+static double seconds_of(struct timeval time)
+{
+    return (double)time.tv_sec + 1e-6 * (double)time.tv_usec;
+}
+
+/* Leaves -1 where the kernel has no answer. */
+static void look_at_process(double numbers[METRICS_NUMBERS])
+{
+    struct rusage usage;
+    struct rlimit limit;
+    for (int i = METRICS_CPU_S; i < METRICS_NUMBERS; i++)
+        numbers[i] = -1;
+    numbers[METRICS_OPEN_FILES] = count_files();
+    read_memory(numbers);
+    if (getrusage(RUSAGE_SELF, &usage) == 0)
+        numbers[METRICS_CPU_S] = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+    if (getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        numbers[METRICS_MAX_FILES] = (double)limit.rlim_cur;
 }
 
 /* ---- the table ---- */
 
-static const struct family {
-    const char *name; /* without _total and _info */
-    enum type type;
-    const char *unit; /* "": none */
-    const char *help;
-    void (*print)(const struct printer *printer); /* NULL: one number */
-    enum number number;
-} FAMILIES[] = {
-    {"zraster_build", INFO, "", "Version, instruction set, and version of the rules.", print_build, NO_NUMBER},
-    {"zraster_ready", GAUGE, "", "1 if the daemon accepts work, as /readyz.", NULL, READY},
-    {"zraster_http_requests", COUNTER, "", "Requests; status 0: no answer was sent.", print_requests, NO_NUMBER},
+static const struct family FAMILIES[] = {
+    {"zraster_build", INFO, "", "Version, instruction set, and version of the rules.", print_build, 0},
+    {"zraster_ready", GAUGE, "", "1 if the daemon accepts work, as /readyz.", NULL, METRICS_READY},
+    {"zraster_http_requests", COUNTER, "", "Requests; status 0: no answer was sent.", print_requests, 0},
     {"zraster_http_request_duration_seconds", HISTOGRAM, "seconds",
-     "Time from the request line to the end of the answer.", print_durations, NO_NUMBER},
+     "Time from the request line to the end of the answer.", print_durations, 0},
     {"zraster_http_request_step_seconds", HISTOGRAM, "seconds", "Time of a step of the requests that reached it.",
-     print_steps, NO_NUMBER},
-    {"zraster_http_request_body_bytes", HISTOGRAM, "bytes", "Size of the bodies of requests.", print_bodies, NO_NUMBER},
+     print_steps, 0},
+    {"zraster_http_request_body_bytes", HISTOGRAM, "bytes", "Size of the bodies of requests.", print_bytes,
+     offsetof(struct metrics, bodies)},
     {"zraster_http_answer_body_bytes", HISTOGRAM, "bytes",
-     "Size of the bodies of answers, up to the last byte that was read.", print_answers, NO_NUMBER},
+     "Size of the bodies of answers, up to the last byte that was read.", print_bytes,
+     offsetof(struct metrics, answers)},
     {"zraster_http_requests_in_progress", GAUGE, "", "Requests whose header is complete and whose answer is not.", NULL,
-     IN_PROGRESS},
-    {"zraster_http_refused", COUNTER, "", "Requests refused by 503 or 429.", print_refusals, NO_NUMBER},
-    {"zraster_http_aborted", COUNTER, "", "Requests whose answer did not arrive whole.", print_aborts, NO_NUMBER},
-    {"zraster_http_timeouts", COUNTER, "", "Requests whose work took longer than renderTimeoutMs (504).",
-     print_timeouts, NO_NUMBER},
-    {"zraster_http_connections", GAUGE, "", "Open connections.", print_connections, NO_NUMBER},
+     METRICS_IN_PROGRESS},
+    {"zraster_http_refused", COUNTER, "", "Requests refused by 503 or 429.", print_refusals, 0},
+    {"zraster_http_aborted", COUNTER, "", "Requests whose answer did not arrive whole.", print_aborts, 0},
+    {"zraster_http_timeouts", COUNTER, "", "Requests whose work took longer than renderTimeoutMs (504).", NULL,
+     METRICS_TIMEOUTS},
+    {"zraster_http_connections", GAUGE, "", "Open connections.", print_connections, 0},
     {"zraster_http_connections_limit", GAUGE, "", "Connections that may be open, maxConnections.", NULL,
-     CONNECTIONS_MAX},
-    {"zraster_pictures", COUNTER, "", "Answers with pictures, by their look.", print_pictures, NO_NUMBER},
-    {"zraster_picture_warnings", COUNTER, "", "Warnings of pictures.", print_warnings, NO_NUMBER},
-    {"zraster_queue_length", GAUGE, "", "Requests that wait for a worker.", print_queues, NO_NUMBER},
-    {"zraster_workers", GAUGE, "", "Workers, without the thread for one small request beside them.", NULL, WORKERS},
-    {"zraster_workers_busy", GAUGE, "", "Workers at work.", NULL, BUSY},
-    {"zraster_streams", GAUGE, "", "Answers that are streamed.", NULL, STREAMS},
+     METRICS_CONNECTIONS_MAX},
+    {"zraster_pictures", COUNTER, "", "Answers with pictures, by their look.", print_pictures, 0},
+    {"zraster_picture_warnings", COUNTER, "", "Warnings of pictures.", NULL, METRICS_WARNINGS},
+    {"zraster_queue_length", GAUGE, "", "Requests that wait for a worker.", print_queues, 0},
+    {"zraster_workers", GAUGE, "", "Workers, without the thread for one small request beside them.", NULL,
+     METRICS_WORKERS},
+    {"zraster_workers_busy", GAUGE, "", "Workers at work.", NULL, METRICS_BUSY},
+    {"zraster_streams", GAUGE, "", "Answers that are streamed.", NULL, METRICS_STREAMS},
     {"zraster_render_memory_bytes", GAUGE, "bytes", "Memory that the last requests of all workers used.", NULL,
-     RENDER_BYTES},
+     METRICS_RENDER_BYTES},
     {"zraster_answer_memory_bytes", GAUGE, "bytes", "Memory of answers and streams that wait for their readers.", NULL,
-     ANSWER_BYTES},
-    {"zraster_upload_memory_bytes", GAUGE, "bytes", "Memory of the bodies of requests.", NULL, UPLOAD_BYTES},
-    {"zraster_kept_hits", COUNTER, "", "Kept values that were used again.", print_hits, NO_NUMBER},
-    {"zraster_kept_misses", COUNTER, "", "Values that were computed, since none was kept.", print_misses, NO_NUMBER},
-    {"zraster_kept_dropped", COUNTER, "", "Kept values that were dropped to make room for others.", print_dropped,
-     NO_NUMBER},
-    {"zraster_kept_entries", GAUGE, "", "Kept values.", print_kept_entries, NO_NUMBER},
-    {"zraster_kept_bytes", GAUGE, "bytes", "Memory of kept values.", print_kept_bytes, NO_NUMBER},
+     METRICS_ANSWER_BYTES},
+    {"zraster_upload_memory_bytes", GAUGE, "bytes", "Memory of the bodies of requests.", NULL, METRICS_UPLOAD_BYTES},
+    {"zraster_kept_hits", COUNTER, "", "Kept values that were used again.", print_kept,
+     offsetof(struct kept_state, hits)},
+    {"zraster_kept_misses", COUNTER, "", "Values that were computed, since none was kept.", print_kept,
+     offsetof(struct kept_state, misses)},
+    {"zraster_kept_dropped", COUNTER, "", "Kept values that were dropped to make room for others.", print_kept,
+     offsetof(struct kept_state, dropped)},
+    {"zraster_kept_entries", GAUGE, "", "Kept values.", print_kept, offsetof(struct kept_state, count)},
+    {"zraster_kept_bytes", GAUGE, "bytes", "Memory of kept values.", print_kept, offsetof(struct kept_state, bytes)},
     {"zraster_log_lines_lost", COUNTER, "", "Lines that were lost, because the log was not read fast enough.", NULL,
-     LOST_LINES},
-    {"process_cpu_seconds", COUNTER, "seconds", "Processor time of the daemon.", NULL, CPU_S},
-    {"process_resident_memory_bytes", GAUGE, "bytes", "Resident memory.", NULL, RESIDENT},
-    {"process_virtual_memory_bytes", GAUGE, "bytes", "Virtual memory.", NULL, VIRTUAL},
-    {"process_open_fds", GAUGE, "", "Open files.", NULL, OPEN_FILES},
-    {"process_max_fds", GAUGE, "", "Files that may be open.", NULL, MAX_FILES},
-    {"process_start_time_seconds", GAUGE, "seconds", "Start of the daemon, in seconds since 1970.", NULL, START_S},
+     METRICS_LOST_LINES},
+    {"process_cpu_seconds", COUNTER, "seconds", "Processor time of the daemon.", NULL, METRICS_CPU_S},
+    {"process_resident_memory_bytes", GAUGE, "bytes", "Resident memory.", NULL, METRICS_RESIDENT},
+    {"process_virtual_memory_bytes", GAUGE, "bytes", "Virtual memory.", NULL, METRICS_VIRTUAL},
+    {"process_open_fds", GAUGE, "", "Open files.", NULL, METRICS_OPEN_FILES},
+    {"process_max_fds", GAUGE, "", "Files that may be open.", NULL, METRICS_MAX_FILES},
+    {"process_start_time_seconds", GAUGE, "seconds", "Start of the daemon, in seconds since 1970.", NULL,
+     METRICS_START_S},
 };
 
 /* Prints the lines above the samples. In the text format, a counter's name has its ending, and an info is a gauge. */
-static void print_head(const struct printer *p, const struct family *family)
+static void print_head(const struct printer *p)
 {
+    const struct family *family = p->family;
     static const char *const words[] = {"counter", "gauge", "histogram", "info"};
     const bool is_open = p->form == METRICS_OPEN;
     const char *ending = is_open ? "" : family->type == COUNTER ? "_total" : family->type == INFO ? "_info" : "";
@@ -339,18 +295,20 @@ static void print_head(const struct printer *p, const struct family *family)
 
 void metrics_print(FILE *out, const struct metrics *metrics, const struct metrics_now *now, enum metrics_form form)
 {
-    struct printer printer = {.out = out, .metrics = metrics, .now = now, .process = process_look(), .form = form};
-    for (size_t i = 0; i < sizeof FAMILIES / sizeof *FAMILIES; i++) {
-        const struct family *family = &FAMILIES[i];
-        printer.name = family->name;
-        printer.type = family->type;
-        const double number = family->print ? 0 : number_of(&printer, family->number);
-        if (number < 0) continue; /* not available from the kernel */
-        print_head(&printer, family);
+    struct printer printer = {.out = out, .metrics = metrics, .now = *now, .form = form};
+    double *numbers = printer.now.numbers;
+    numbers[METRICS_WARNINGS] = (double)metrics->warnings;
+    numbers[METRICS_TIMEOUTS] = (double)metrics->timeouts;
+    numbers[METRICS_START_S] = metrics->start_s;
+    look_at_process(numbers);
+    for (const struct family *family = FAMILIES; family < FAMILIES + sizeof FAMILIES / sizeof *FAMILIES; family++) {
+        if (!family->print && numbers[family->of] < 0) continue; /* not available from the kernel */
+        printer.family = family;
+        print_head(&printer);
         if (family->print)
             family->print(&printer);
         else
-            print_sample(&printer, "", number);
+            print_sample(&printer, "", numbers[family->of]);
     }
     if (form == METRICS_OPEN) fputs("# EOF\n", out);
 }

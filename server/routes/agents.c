@@ -1,4 +1,4 @@
-#include "agents.h"
+#include "routes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,9 +36,8 @@ static bool is_json(const char *type)
     return length == sizeof wanted - 1 && strncasecmp(type, wanted, length) == 0;
 }
 
-bool agents_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+bool agents_open(const struct service *service, struct request *request, struct answer *answer)
 {
-    (void)load;
     if (request->origin && !is_local(request->origin) && !origin_is_allowed(service->config, request))
         problem_answer(answer, 403,
                        "pages of '%.100s' may not call " AGENTS_PATH

@@ -1,4 +1,4 @@
-#include "assets.h"
+#include "routes.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -18,9 +18,8 @@ enum { WHOLE_MAX = 32 << 10, ASSET_S = 31536000 };
 
 static const char ASSET_TYPE[] = "application/octet-stream";
 
-bool assets_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+bool assets_open(const struct service *service, struct request *request, struct answer *answer)
 {
-    (void)load;
     char tag[STORE_NAME_SIZE + 2];
     static const char FORM[] = "multipart/form-data";
     bool is_new = strcmp(request->method, "POST") == 0;

@@ -1,4 +1,4 @@
-#include "contract.h"
+#include "routes.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -61,13 +61,11 @@ static void refuse_name(struct answer *answer, const char *path)
                    known);
 }
 
-bool contract_open_schema(const struct service *service, const struct load *load, struct request *request,
-                          struct answer *answer)
+bool contract_open_schema(const struct service *service, struct request *request, struct answer *answer)
 {
     struct zr_arena arena;
     char name[NAME_SIZE] = "scene";
     const bool is_scene = strcmp(request->path, SCENE_SCHEMA_PATH) == 0;
-    (void)load;
     if (!is_scene && !read_name(request->path, name)) {
         refuse_name(answer, request->path);
         return false;
@@ -83,11 +81,9 @@ bool contract_open_schema(const struct service *service, const struct load *load
     return false;
 }
 
-bool contract_open_openapi(const struct service *service, const struct load *load, struct request *request,
-                           struct answer *answer)
+bool contract_open_openapi(const struct service *service, struct request *request, struct answer *answer)
 {
     struct zr_arena arena;
-    (void)load;
     zr_arena_init(&arena, MEMORY);
     struct zr_buffer text = {.arena = &arena};
     openapi_print(&text, &service->limits);

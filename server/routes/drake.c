@@ -1,4 +1,4 @@
-#include "drake.h"
+#include "routes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,11 +13,10 @@
 #include "render_request.h"
 #include "rendering.h"
 
-bool drake_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+bool drake_open(const struct service *service, struct request *request, struct answer *answer)
 {
     const char *type = request->content_type ? request->content_type : "", *fault;
     (void)service;
-    (void)load;
     if (request->query && *request->query)
         problem_answer(answer, 400, "%s has no parameters; the fields of a form have the settings", DRAKE_PATH);
     else if (!rendering_is_multipart(type))

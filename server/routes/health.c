@@ -1,4 +1,4 @@
-#include "health.h"
+#include "routes.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -18,12 +18,11 @@ static void answer_text(struct answer *answer, char *text, int length)
 }
 
 /* Writes the counts of each table of kept values. */
-bool health_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+bool health_open(const struct service *service, struct request *request, struct answer *answer)
 {
     enum { TEXT_SIZE = 1024 };
     char *text = malloc(TEXT_SIZE);
     int used = text ? snprintf(text, TEXT_SIZE, "{") : -1;
-    (void)load;
     (void)request;
     for (int i = 0; text && i < KEPT_TABLES; i++) {
         const struct kept_state state = kept_look(service->kept[i]);
@@ -38,20 +37,19 @@ bool health_open(const struct service *service, const struct load *load, struct 
     return false;
 }
 
-enum refusal health_busy_with(const struct service *service, const struct load *load)
+enum refusal health_busy_with(const struct service *service, const struct request *request)
 {
+    const struct load *load = &request->load;
     const bool full = load->queue_full || load->large_queue_full;
     const struct load any = {load->leaving, load->leaving, full, full, load->answers_full, load->retry_after_s};
     return load_busy_with(&any, service, true);
 }
 
-bool health_open_ready(const struct service *service, const struct load *load, struct request *request,
-                       struct answer *answer)
+bool health_open_ready(const struct service *service, struct request *request, struct answer *answer)
 {
-    const enum refusal busy = health_busy_with(service, load);
-    (void)request;
+    const enum refusal busy = health_busy_with(service, request);
     if (busy) {
-        problem_busy(answer, load->retry_after_s, busy);
+        problem_busy(answer, request->load.retry_after_s, busy);
         return false;
     }
     char *text = NULL;
@@ -60,9 +58,8 @@ bool health_open_ready(const struct service *service, const struct load *load, s
     return false;
 }
 
-bool limits_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+bool limits_open(const struct service *service, struct request *request, struct answer *answer)
 {
-    (void)load;
     (void)request;
     cJSON *root = cJSON_CreateObject(), *limits = NULL;
     const bool is_whole = cJSON_AddStringToObject(root, "version", ZR_VERSION) &&

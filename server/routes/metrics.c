@@ -1,14 +1,12 @@
-#include "routes/metrics.h"
+#include "routes.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "metrics/metrics_print.h"
+#include "metrics/metrics.h"
 #include "problem.h"
-#include "routes/health.h"
 
-bool metrics_open(const struct service *service, const struct load *load, struct request *request,
-                  struct answer *answer)
+bool metrics_open(const struct service *service, struct request *request, struct answer *answer)
 {
     struct metrics *metrics = service->metrics;
     const bool is_open = request->takes_open_metrics;
@@ -19,7 +17,7 @@ bool metrics_open(const struct service *service, const struct load *load, struct
         return false;
     }
     struct metrics_now now = {.isa = zr_isa_name(zr_team_isa(service->team)),
-                              .is_ready = !health_busy_with(service, load)};
+                              .numbers[METRICS_READY] = !health_busy_with(service, request)};
     FILE *out = metrics ? open_memstream(&text, &size) : NULL;
     if (out) {
         metrics->look(metrics->context, &now);

@@ -6,7 +6,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "assets.h"
 #include "base/run.h"
 #include "body.h"
 #include "clock.h"
@@ -16,6 +15,7 @@
 #include "parts.h"
 #include "problem.h"
 #include "render_request.h"
+#include "routes.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/looks.h"
 #include "scene/scene.h"
@@ -78,11 +78,9 @@ static bool read_content_type(struct request *request, enum zr_format *format, s
     return false;
 }
 
-bool rendering_open(const struct service *service, const struct load *load, struct request *request,
-                    struct answer *answer)
+bool rendering_open(const struct service *service, struct request *request, struct answer *answer)
 {
     (void)service;
-    (void)load;
     enum zr_format format;
     if (!read_content_type(request, &format, answer) || !read_query(request, answer)) return false;
     request->render->format = format;

@@ -1,20 +1,13 @@
-/* rendering.h - renders: from the body to the answer. POST /v1/render, and what other routes share with it. */
+/* rendering.h - renders: from the body to the answer, for all routes that draw. */
 #ifndef ZRASTERD_RENDERING_H
 #define ZRASTERD_RENDERING_H
 
 #include "body.h"
 #include "request.h"
 
-/* Checks the type of the body and reads the query. */
-bool rendering_open(const struct service *service, const struct load *load, struct request *request,
-                    struct answer *answer);
-
-/* Allocates request->render, of an unknown format, with room for the texts of its query, and returns that room. NULL: the
- * answer is ready. */
+/* Allocates request->render, of an unknown format, with room for the texts of its query, and returns that room. NULL:
+ * the answer is ready. */
 char *rendering_begin(struct request *request, size_t room, struct answer *answer);
-
-/* Unpacks the body, reads the scene, predicts its cost, draws it and encodes the outputs. */
-enum request_next rendering_work(const struct work *work);
 
 /* A kind of render: how a body becomes the renderer's input, how faults of the input are reported, what is added to an
  * answer with a picture, and whether model files are kept as read. */
@@ -26,7 +19,7 @@ struct rendering_kind {
     bool keeps_meshes;
 };
 
-/* Works like rendering_work for any kind. */
+/* Unpacks the body, reads the scene, predicts its cost, draws it and encodes the outputs. */
 enum request_next rendering_run(const struct rendering_kind *kind, const struct work *work);
 
 /* True if a Content-Type is multipart/form-data. */

@@ -1,11 +1,10 @@
-#include "renders.h"
+#include "routes.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "assets.h"
 #include "gate/admit.h"
 #include "gate/gate.h"
 #include "input/query/query_text.h"
@@ -135,11 +134,9 @@ static bool answer_kept(const struct service *service, const struct request *req
     return true;
 }
 
-bool renders_open(const struct service *service, const struct load *load, struct request *request,
-                  struct answer *answer)
+bool renders_open(const struct service *service, struct request *request, struct answer *answer)
 {
     const char *preset;
-    (void)load;
     if (!service->store) {
         problem_answer(answer, 404, "no scenes are kept here; start zrasterd with --assets-dir=DIRECTORY for that");
         return false;

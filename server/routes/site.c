@@ -9,6 +9,7 @@
 #include <zlib.h>
 
 #include "problem.h"
+#include "routes.h"
 #include "scene/looks.h"
 #include "text.h"
 
@@ -87,19 +88,17 @@ static void answer_policy(struct answer *answer, const char *policy)
     answer_header(answer, "Cross-Origin-Opener-Policy", "same-origin");
 }
 
-bool site_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+bool site_open(const struct service *service, struct request *request, struct answer *answer)
 {
-    (void)load;
     if (refuse_if_off(service, answer, "page")) return false;
     answer_site_file(request, &site_files[0], answer);
     answer_policy(answer, site_policy);
     return false;
 }
 
-bool manual_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+bool manual_open(const struct service *service, struct request *request, struct answer *answer)
 {
     const size_t length = strlen(request->path);
-    (void)load;
     if (refuse_if_off(service, answer, "manual")) return false;
     if (length < sizeof MANUAL_PATH - 1) { /* relative, so that it also holds behind a proxy that adds a path */
         answer->status = 308;
@@ -153,11 +152,9 @@ static void list_examples(struct answer *answer)
     answer_list(answer, root, is_whole);
 }
 
-bool examples_open(const struct service *service, const struct load *load, struct request *request,
-                   struct answer *answer)
+bool examples_open(const struct service *service, struct request *request, struct answer *answer)
 {
     (void)service;
-    (void)load;
     if (strcmp(request->path, "/v1/examples") == 0) {
         list_examples(answer);
         return false;
@@ -187,10 +184,9 @@ static bool add_look(cJSON *list, int first)
     return is_whole;
 }
 
-bool looks_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
+bool looks_open(const struct service *service, struct request *request, struct answer *answer)
 {
     (void)service;
-    (void)load;
     (void)request;
     cJSON *root = cJSON_CreateObject(), *list = cJSON_AddArrayToObject(root, "looks");
     bool is_whole = list;

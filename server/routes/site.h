@@ -6,8 +6,6 @@
 
 #include <stddef.h>
 
-#include "request.h"
-
 struct site_file {
     const char *name;          /* "": the page; of the manual: address below /docs/, "": its first page */
     const char *title, *files; /* of a scene: name for people; names of its files, as items of JSON; NULL: no scene */
@@ -23,22 +21,5 @@ extern const size_t site_file_count;
 extern const char site_policy[]; /* Content-Security-Policy of the page */
 extern const struct site_file manual_files[];
 extern const size_t manual_file_count;
-
-#define EXAMPLES_PATH "/v1/examples/"
-#define MANUAL_PATH   "/docs/"
-
-/* GET /: the page. 404 with --page=off. */
-bool site_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer);
-
-/* GET /docs/ADDRESS: a page of the manual, its style or a picture; /docs leads there. 404 with --page=off. */
-bool manual_open(const struct service *service, const struct load *load, struct request *request,
-                 struct answer *answer);
-
-/* GET /v1/examples: names, titles and files of the scenes. GET /v1/examples/NAME: a scene or a file. */
-bool examples_open(const struct service *service, const struct load *load, struct request *request,
-                   struct answer *answer);
-
-/* GET /v1/looks: names, versions and texts of all looks. */
-bool looks_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer);
 
 #endif

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "metrics/metrics_print.h"
+#include "metrics/metrics.h"
 #include "scene/looks.h"
 #include "support/tests.h"
 
@@ -11,7 +11,7 @@ static const char RENDER[] = "/v1/render";
 
 static char *print(const struct metrics *metrics, enum metrics_form form)
 {
-    const struct metrics_now now = {.isa = "scalar", .is_ready = true};
+    const struct metrics_now now = {.isa = "scalar", .numbers[METRICS_READY] = 1};
     char *text = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);

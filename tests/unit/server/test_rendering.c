@@ -5,8 +5,7 @@
 
 #include <zlib.h>
 
-#include "routes/assets.h"
-#include "routes/rendering.h"
+#include "routes/routes.h"
 #include "server/support/assets.h"
 #include "support/input/base64.h"
 #include "support/tests.h"
