@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "scene/output.h"
+#include "scene/picture.h"
 
 static const char *copy_text(struct zr_arena *arena, const char *text)
 {
@@ -53,7 +54,7 @@ struct zr_encode_input *zr_encode_input_make(struct zr_arena *arena, const struc
     if (!made) return NULL;
     made->scene = (struct zr_scene){.look = scene->look,
                                     .background = scene->background,
-                                    .picture = scene->picture,
+                                    .picture = zr_arena_copy(arena, scene->picture, sizeof *scene->picture),
                                     .mesh_count = scene->mesh_count,
                                     .instance_count = scene->instance_count,
                                     .compress = scene->compress,

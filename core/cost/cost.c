@@ -52,7 +52,7 @@ static uint32_t count_lamp_maps(const struct zr_scene *scene, const struct zr_re
 
 static struct passes passes_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
 {
-    const struct zr_picture *picture = &scene->picture;
+    const struct zr_picture *picture = scene->picture;
     const struct zr_view *view = &scene->views[0];
     /* Passes of the masks, of the target of a flow, and of a trace. */
     const double more = (double)zr_view_has_masks(view) + (double)zr_view_wants(view, ZR_CHANNEL_FLOW) +
@@ -140,8 +140,8 @@ static bool draws_lines(const struct zr_picture *picture)
 /* Returns how often lines of the mesh are found: for a picture, and for a file. */
 static double line_times(const struct zr_scene *scene, const struct passes *passes)
 {
-    const bool in_picture = passes->samples > 0.0 && scene->picture.is_linear;
-    if (scene->is_undrawn || !draws_lines(&scene->picture)) return 0.0;
+    const bool in_picture = passes->samples > 0.0 && scene->picture->is_linear;
+    if (scene->is_undrawn || !draws_lines(scene->picture)) return 0.0;
     return (in_picture ? 1.0 : 0.0) + (zr_view_encodes(&scene->views[0], ZR_ENCODING_SVG) ? 1.0 : 0.0);
 }
 
@@ -154,7 +154,7 @@ static double bytes_of_masks(const struct zr_scene *scene, double pixels, double
 
 static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept, double fragments)
 {
-    const struct zr_picture *picture = &scene->picture;
+    const struct zr_picture *picture = scene->picture;
     const struct zr_view *view = &scene->views[0];
     const double pixels = (double)view->width * (double)view->height, samples = pixels * passes->side * passes->side;
     double sum = pixels * bytes_of_channels(view) + bytes_of_layers(scene, samples, kept);
@@ -317,7 +317,7 @@ static double square(double value)
 static void count_fragments(const struct zr_cost_sample *sample, const struct passes *passes, double *counts)
 {
     const struct zr_scene *scene = sample->scene;
-    const struct zr_picture *picture = &scene->picture;
+    const struct zr_picture *picture = scene->picture;
     const double pixels = sample->width * sample->height, samples = pixels * passes->side * passes->side;
     const double scale = sample->scale, drawn = passes->centres + passes->samples * passes->side * passes->side;
     const double times = drawn * scale * TIMES[scene->algorithm].fragment;

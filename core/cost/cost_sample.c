@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "geometry/face.h"
+#include "scene/picture.h"
 #include "sections/section_planes.h"
 
 /* SAMPLES: most faces, lines and points in the sample. SAMPLED_CORNERS: approximate limit of their corners. */
@@ -126,12 +127,12 @@ static void count_lamps(const struct zr_scene *scene, const struct zr_material *
 
 static void add_light(struct tally *tally, const struct zr_material *material, double pixels, double vertices)
 {
-    const double lit = tally->sums.scene->picture.is_linear ? pixels : TEXTBOOK_LAMP_TIMES * pixels;
+    const double lit = tally->sums.scene->picture->is_linear ? pixels : TEXTBOOK_LAMP_TIMES * pixels;
     double all, placed, shadows;
     count_lamps(tally->sums.scene, material, &all, &placed, &shadows);
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         tally->sums.textures += material->textures[slot] ? pixels : 0.0;
-    if (tally->sums.scene->picture.is_linear || material->shading == ZR_SHADING_PHONG) {
+    if (tally->sums.scene->picture->is_linear || material->shading == ZR_SHADING_PHONG) {
         tally->sums.lit += material->shading == ZR_SHADING_UNLIT ? 0.0 : pixels;
         tally->sums.lamps += lit * all;
         tally->sums.placed_lamps += lit * placed;
@@ -282,7 +283,7 @@ struct zr_cost_sample zr_cost_sample_of(const struct zr_scene *scene, const stru
 {
     const struct zr_view *view = &scene->views[0];
     struct tally tally = {.sums = {.scene = scene, .width = (double)view->width, .height = (double)view->height},
-                          .line_width = fmax((double)scene->picture.line_width, 1.0),
+                          .line_width = fmax((double)scene->picture->line_width, 1.0),
                           .world_to_clip = zr_mat4_mul(&resolved->camera.projection, &resolved->camera.world_to_eye),
                           .camera = &resolved->camera};
     uint64_t primitives = 0, corners = 0;

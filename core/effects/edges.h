@@ -19,7 +19,7 @@
 #include "base/team.h"
 #include "core.h"
 #include "effects/occlusion.h"
-#include "scene/picture.h"
+#include "scene/effects.h"
 #include "shade/draw_attributes.h"
 #include "shade/lights/gbuffer.h"
 

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "base/run.h"
+#include "scene/picture.h"
 #include "shade/lights/lamps.h"
 
 enum { SIDE = ZR_GROUND_SIDE, TEXELS = SIDE * SIDE, PASSES = 3 };
@@ -179,7 +180,7 @@ struct plane {
 static struct plane plane_under(const struct zr_scene *scene, const struct zr_bounds *bounds)
 {
     const zr_vec3 min = bounds->min, max = bounds->max, size = zr_vec3_sub(max, min);
-    const bool z_is_up = scene->picture.z_is_up;
+    const bool z_is_up = scene->picture->z_is_up;
     struct plane plane = {.middle = zr_vec3_scale(zr_vec3_add(min, max), 0.5f),
                           .x = {1, 0, 0},
                           .y = z_is_up ? (zr_vec3){0, 1, 0} : (zr_vec3){0, 0, -1},

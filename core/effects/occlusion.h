@@ -15,7 +15,7 @@
 #include "base/team.h"
 #include "core.h"
 #include "scene/camera/camera.h"
-#include "scene/picture.h"
+#include "scene/effects.h"
 #include "shade/lights/gbuffer.h"
 
 /* Points within this distance of a point's plane are on the same surface; relative to the diagonal. */

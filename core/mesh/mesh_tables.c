@@ -6,6 +6,7 @@
 #include "mesh/face_normals.h"
 #include "mesh/vertex_normals.h"
 #include "scene/output.h"
+#include "scene/picture.h"
 
 /* Most bytes of the tables per corner, while they are made. */
 enum { BYTES_PER_CORNER = 96 };
@@ -23,7 +24,7 @@ static void make_creases(const struct zr_run *run, const struct zr_scene *scene,
     const zr_vec4 **creases = zr_arena_zero(run->arena, scene->mesh_count, sizeof *creases);
     for (uint32_t i = 0; creases && i < scene->mesh_count; i++)
         if (zr_mesh_lacks_normals(&scene->meshes[i]) && scene->meshes[i].face_count > 0)
-            creases[i] = zr_crease_normals_make(run, &scene->meshes[i], scene->picture.crease_degrees);
+            creases[i] = zr_crease_normals_make(run, &scene->meshes[i], scene->picture->crease_degrees);
     out->creases = creases;
 }
 
@@ -48,7 +49,7 @@ static enum zr_status make_edges(const struct zr_run *run, const struct zr_scene
 
 enum zr_status zr_mesh_tables_make(const struct zr_run *run, const struct zr_scene *scene, struct zr_mesh_tables *out)
 {
-    const struct zr_picture *picture = &scene->picture;
+    const struct zr_picture *picture = scene->picture;
     enum zr_status status = ZR_OK;
     *out = (struct zr_mesh_tables){
         .meshes = scene->meshes, .count = scene->mesh_count, .crease_degrees = picture->crease_degrees};
@@ -77,7 +78,7 @@ static bool has_faces_of(const struct zr_mesh_tables *tables, const struct zr_sc
 const zr_vec4 *zr_mesh_table_creases(const struct zr_mesh_tables *tables, const struct zr_scene *scene, uint32_t mesh)
 {
     if (!has_faces_of(tables, scene, mesh) || !tables->creases) return NULL;
-    return tables->crease_degrees == scene->picture.crease_degrees ? tables->creases[mesh] : NULL;
+    return tables->crease_degrees == scene->picture->crease_degrees ? tables->creases[mesh] : NULL;
 }
 
 const zr_vec4 *zr_mesh_table_normals(const struct zr_mesh_tables *tables, const struct zr_scene *scene, uint32_t mesh)

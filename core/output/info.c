@@ -8,6 +8,7 @@
 #include "output/masks.h"
 #include "scene/camera/camera.h"
 #include "scene/looks.h"
+#include "scene/picture.h"
 #include "sections/sections.h"
 #include "version.h"
 
@@ -25,7 +26,7 @@ static void print_file(struct zr_print *print, const struct zr_scene *scene)
     else
         zr_print_null(print, "unit");
     zr_print_begin(print, "up", '{');
-    zr_print_string(print, "axis", file->up ? file->up : scene->picture.z_is_up ? "z" : "y");
+    zr_print_string(print, "axis", file->up ? file->up : scene->picture->z_is_up ? "z" : "y");
     zr_print_string(print, "source", file->up ? file->up_source : "scene");
     zr_print_end(print, '}');
 }
@@ -270,7 +271,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
     zr_print_count(print, "width", frame->width);
     zr_print_count(print, "height", frame->height);
     zr_print_end(print, '}');
-    zr_camera_print(print, frame, scene->picture.z_is_up);
+    zr_camera_print(print, frame, scene->picture->z_is_up);
     print_file(print, scene);
     if (scene->origin) zr_print_doubles(print, "origin", scene->origin, 3);
     if (!frame->bounds.valid) return;

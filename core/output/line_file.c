@@ -4,6 +4,7 @@
 
 #include "lines/line_sheet.h"
 #include "output/svg.h"
+#include "scene/picture.h"
 
 /* Returns the millimetres of a unit of zr_file_facts; 0: unknown. */
 static double millimetres_of(const char *unit)
@@ -21,7 +22,7 @@ static double millimetres_of(const char *unit)
 bool zr_line_file_write(const struct zr_scene *scene, const struct zr_frame *frame, struct zr_buffer *out)
 {
     const struct zr_line_sheet *sheet = frame->lines;
-    const struct zr_edges *edges = &scene->picture.edges;
+    const struct zr_edges *edges = &scene->picture->edges;
     const zr_vec3 paper = {scene->background.x, scene->background.y, scene->background.z};
     const double millimetres = sheet->pixel > 0.0 ? millimetres_of(scene->file.unit) : 0.0;
     const double width = (double)zr_stroke_width(edges->width, frame->width, frame->height);

@@ -9,6 +9,7 @@
 #include "output/images/mask_png.h"
 #include "output/json/camera_json.h"
 #include "output/zip.h"
+#include "scene/picture.h"
 
 static struct zr_bit_mask bits_of(const struct zr_frame *frame, const struct zr_instance_mask *mask,
                                   const uint64_t *bits)
@@ -205,7 +206,7 @@ enum zr_status zr_masks_json_write(const struct zr_scene *scene, const struct zr
 {
     struct zr_print print = {.out = out};
     zr_print_begin(&print, NULL, '{');
-    zr_camera_print(&print, frame, scene->picture.z_is_up);
+    zr_camera_print(&print, frame, scene->picture->z_is_up);
     const enum zr_status status = zr_masks_print(&print, scene, frame, cancel);
     if (status != ZR_OK) return status;
     zr_print_end(&print, '}');

@@ -5,6 +5,7 @@
 #include "effects/shadow_maps.h"
 #include "render/pass.h"
 #include "render/stage.h"
+#include "scene/picture.h"
 #include "scene/scene_edit.h"
 
 static void edit_material(struct zr_material *material)
@@ -47,7 +48,7 @@ enum zr_status zr_ground_map_draw(const struct zr_run *run, const struct zr_scen
     if (status != ZR_OK) return status;
     *frame = view.frame;
     *ground = zr_ground_make(run, heights, view.half_size, zr_diagonal_of(bounds),
-                             scene->picture.softens_ground ? view.height : INFINITY);
+                             scene->picture->softens_ground ? view.height : INFINITY);
     return ground->light ? ZR_OK : ZR_NO_MEMORY;
 }
 

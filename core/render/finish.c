@@ -1,6 +1,7 @@
 #include "render/finish.h"
 
 #include "base/mutant.h"
+#include "scene/picture.h"
 
 enum { ROWS_PER_RANGE = 8 };
 
@@ -28,7 +29,7 @@ static void background_of(const struct rows *rows, uint32_t y, float out[4])
     const float up = ZR_MUTANT(gradient_turned, rise, 1.0f - rise);
     for (int k = 0; k < 3; k++)
         out[k] = rows->bottom[k] + (rows->top[k] - rows->bottom[k]) * up;
-    out[3] = scene->picture.has_gradient ? 1.0f : scene->background.w;
+    out[3] = scene->picture->has_gradient ? 1.0f : scene->background.w;
 }
 
 enum { SHARES_AT_ONCE = 16384 + 16 };
@@ -55,7 +56,7 @@ static void finish_range(void *context, size_t begin, size_t end)
                                                 (int32_t)light->width, shares);
             row.share = shares;
         }
-        if (of->scene->picture.has_gradient && of->scene->picture.dithers)
+        if (of->scene->picture->has_gradient && of->scene->picture->dithers)
             row.dither = zr_finish_dither[ZR_MUTANT(dither_from_above, y, light->height - 1 - y) % ZR_DITHER_SIDE];
         if (of->ink) row.ink = of->ink + y * light->width;
         zr_finish_row_of(rows->isa)(&row, (uint32_t *)(void *)of->out + (size_t)(light->height - 1 - y) * light->width);
@@ -65,7 +66,7 @@ static void finish_range(void *context, size_t begin, size_t end)
 void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *desc, const struct zr_cancel *cancel)
 {
     const struct zr_scene *scene = desc->scene;
-    const struct zr_picture *picture = &scene->picture;
+    const struct zr_picture *picture = scene->picture;
     struct rows rows = {.of = desc, .isa = zr_team_isa(team), .cancel = cancel};
     const zr_vec3 plain = {scene->background.x, scene->background.y, scene->background.z};
     const zr_vec3 top = picture->has_gradient ? picture->top : plain;

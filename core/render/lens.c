@@ -31,8 +31,10 @@ void zr_lens_drawing_open(const struct zr_scene *scene, const struct zr_resolved
 {
     const struct zr_lens_plan *plan = resolved->lens;
     struct zr_view *view = &drawing->scene.views[0];
-    struct zr_picture *picture = &drawing->scene.picture;
+    struct zr_picture *picture = &drawing->picture;
     drawing->scene = *scene;
+    drawing->scene.picture = picture;
+    *picture = *scene->picture;
     view->width = plan->width;
     view->height = plan->height;
     picture->side = zr_picture_side_in(picture->side, plan->width, plan->height);

@@ -5,11 +5,13 @@
 #include "base/run.h"
 #include "effects/remap.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/picture.h"
 #include "shade/frame.h"
 
 /* The scene and the view of the pinhole picture. */
 struct zr_lens_drawing {
     struct zr_scene scene;
+    struct zr_picture picture; /* the scene's */
     struct zr_resolved_view resolved;
 };
 

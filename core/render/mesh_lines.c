@@ -5,6 +5,7 @@
 #include "lines/ink.h"
 #include "lines/line_sheet.h"
 #include "render/stage.h"
+#include "scene/picture.h"
 #include "scene/scene_edit.h"
 
 static void draw_both_sides(struct zr_material *material)
@@ -15,14 +16,14 @@ static void draw_both_sides(struct zr_material *material)
 /* Returns the scene whose lines are found: hidden lines are those of culled faces, too. NULL without memory. */
 static const struct zr_scene *scene_of_lines(struct zr_arena *arena, const struct zr_scene *scene)
 {
-    if (!scene->picture.edges.has_hidden) return scene;
+    if (!scene->picture->edges.has_hidden) return scene;
     struct zr_scene *edited = zr_arena_alloc(arena, 1, sizeof *edited);
     return edited && zr_scene_edit_materials(arena, scene, draw_both_sides, edited) ? edited : NULL;
 }
 
 static struct zr_drawing_desc desc_of(const struct zr_scene *scene, const struct zr_frame *frame)
 {
-    const struct zr_edges *edges = &scene->picture.edges;
+    const struct zr_edges *edges = &scene->picture->edges;
     return (struct zr_drawing_desc){
         .scene = scene,
         .camera = &frame->camera,
@@ -35,7 +36,7 @@ static struct zr_drawing_desc desc_of(const struct zr_scene *scene, const struct
 
 enum zr_status zr_mesh_lines_draw(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame)
 {
-    const struct zr_edges *edges = &scene->picture.edges;
+    const struct zr_edges *edges = &scene->picture->edges;
     const uint32_t width = frame->width, height = frame->height;
     const struct zr_scene *drawn = scene_of_lines(run->arena, scene);
     const struct zr_drawing_desc desc = desc_of(drawn ? drawn : scene, frame);

@@ -6,6 +6,7 @@
 #include "raster/binned_scene.h"
 #include "raster/textbook/whole_window.h"
 #include "render/stage.h"
+#include "scene/picture.h"
 #include "shade/paint.h"
 
 /* Returns true if a draw's material has this alpha mode. */
@@ -18,7 +19,7 @@ static bool any_draw(const struct zr_geometry *geometry, enum zr_alpha_mode mode
 
 struct zr_window zr_window_of(const struct zr_scene *scene, uint32_t width, uint32_t height, uint32_t side)
 {
-    const float wanted = scene->picture.line_width;
+    const float wanted = scene->picture->line_width;
     const float line_width = ZR_MUTANT(line_width_rounded_early, wanted, floorf(wanted + 0.5f)) * (float)side;
     return (struct zr_window){width * side, height * side, line_width > 1.0f ? (int32_t)(line_width + 0.5f) : 1,
                               (float)side};

@@ -42,7 +42,7 @@ static struct zr_pass_desc pass_at(const struct drawing *d, uint32_t side, bool 
 
 static enum zr_status draw_bytes(const struct drawing *d)
 {
-    const uint32_t side = d->scene->picture.side;
+    const uint32_t side = d->scene->picture->side;
     const struct zr_pass_desc desc = pass_at(d, side, false);
     struct zr_pass pass;
     enum zr_status status = ZR_OK;
@@ -63,7 +63,7 @@ static enum zr_status make_creases(struct drawing *d)
         if (!zr_mesh_lacks_normals(&scene->meshes[i]) || scene->meshes[i].face_count == 0) continue;
         creases[i] = zr_mesh_table_creases(scene->tables, scene, i);
         if (creases[i]) continue;
-        creases[i] = zr_crease_normals_make(d->run, &scene->meshes[i], scene->picture.crease_degrees);
+        creases[i] = zr_crease_normals_make(d->run, &scene->meshes[i], scene->picture->crease_degrees);
     }
     d->creases = creases;
     return status_of(d);
@@ -136,7 +136,7 @@ static float diagonal_in_eye(const struct drawing *d)
 
 static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer *pixels, struct zr_occlusion_map *map)
 {
-    const struct zr_occlusion *occlusion = &d->scene->picture.occlusion;
+    const struct zr_occlusion *occlusion = &d->scene->picture->occlusion;
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
     const float diagonal = diagonal_in_eye(d);
     enum zr_status status = draw_gbuffer(d, pixels);
@@ -149,7 +149,7 @@ static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer 
 /* Point clouds have light by distances alone instead of occlusion, which needs normals. */
 static enum zr_status draw_points_light(const struct drawing *d, struct zr_gbuffer *pixels, const float **light)
 {
-    const struct zr_picture *picture = &d->scene->picture;
+    const struct zr_picture *picture = d->scene->picture;
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
     const enum zr_status status = draw_gbuffer(d, pixels);
     if (status != ZR_OK) return status;
@@ -170,7 +170,7 @@ static enum zr_status make_light(const struct drawing *d, struct zr_linear_frame
 /* Draws all samples. The edge marks point into the pass until they are finished. */
 static enum zr_status draw_samples(const struct drawing *d, const struct zr_sample_stages *stages, struct zr_pass *pass)
 {
-    const uint32_t side = d->scene->picture.side;
+    const uint32_t side = d->scene->picture->side;
     const struct zr_pass_desc desc = pass_at(d, side, true);
     enum zr_status status = ZR_OK;
     STAGE(zr_pass_make(d->run, &desc, pass));
@@ -184,7 +184,7 @@ static enum zr_status draw_samples(const struct drawing *d, const struct zr_samp
 
 static enum zr_status begin_edges(const struct drawing *d, struct zr_edge_marks **marks)
 {
-    const struct zr_picture *picture = &d->scene->picture;
+    const struct zr_picture *picture = d->scene->picture;
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
     *marks =
         zr_edge_marks_make(d->run->arena, d->frame->width, d->frame->height, picture->side, &picture->edges, &scale);
@@ -214,7 +214,7 @@ static struct zr_ground_sun ground_sun_of(const struct drawing *d, const struct 
 
 static enum zr_status draw_light(struct drawing *d)
 {
-    const struct zr_picture *picture = &d->scene->picture;
+    const struct zr_picture *picture = d->scene->picture;
     const struct zr_camera *camera = &d->frame->camera;
     const struct zr_bounds *bounds = &d->frame->bounds;
     const struct zr_shadow_map *shadows = NULL;
@@ -272,5 +272,5 @@ enum zr_status zr_picture_draw(const struct zr_run *run, const struct zr_scene *
     struct drawing drawing = {run, scene, frame, NULL};
     struct zr_scene with_xrays;
     if (!zr_picture_scene(run->arena, scene, &with_xrays, &drawing.scene)) return ZR_NO_MEMORY;
-    return scene->picture.is_linear ? draw_light(&drawing) : draw_bytes(&drawing);
+    return scene->picture->is_linear ? draw_light(&drawing) : draw_bytes(&drawing);
 }

@@ -4,6 +4,7 @@
 
 #include "base/run.h"
 #include "base/team.h"
+#include "scene/picture.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 

@@ -89,7 +89,7 @@ static enum zr_status make_lines(const struct zr_run *run, const struct zr_scene
 static enum zr_status draw_frame(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
     const struct zr_run inner = zr_run_in(run, run->scratch);
-    const bool has_picture = frame->color && zr_picture_has_own_passes(&scene->picture);
+    const bool has_picture = frame->color && zr_picture_has_own_passes(scene->picture);
     enum zr_status status = ZR_OK;
     STAGE(has_picture ? draw_picture_and_channels(&inner, scene, frame) : draw_channels(&inner, scene, frame));
     if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(&inner, scene, frame));

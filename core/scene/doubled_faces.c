@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "scene/mesh_label.h"
 #include "scene/output.h"
+#include "scene/picture.h"
 
 /* Sets of faces around a vertex: those that share its position's number, or those that share its place. */
 enum sharing { SHARED_NUMBER, SHARED_PLACE };
@@ -123,10 +124,10 @@ struct averaging {
 static struct averaging averaging_of(const struct zr_scene *scene)
 {
     const struct zr_view *view = &scene->views[0];
-    const bool has_color = zr_view_wants(view, ZR_CHANNEL_COLOR), is_linear = scene->picture.is_linear;
+    const bool has_color = zr_view_wants(view, ZR_CHANNEL_COLOR), is_linear = scene->picture->is_linear;
     struct averaging out = {0, 0};
     if ((has_color && !is_linear) || zr_view_wants(view, ZR_CHANNEL_NORMALS)) out.by_number = ZR_SHADINGS_SMOOTH;
-    if (has_color && is_linear && scene->picture.crease_degrees > ALL_AROUND_DEGREES)
+    if (has_color && is_linear && scene->picture->crease_degrees > ALL_AROUND_DEGREES)
         out.by_place = ZR_SHADING_ALL & ~(zr_shadings_at(ZR_SHADED_NEVER) | zr_shadings_at(ZR_SHADED_PER_FACE));
     return out;
 }

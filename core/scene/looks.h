@@ -24,7 +24,7 @@ struct zr_look {
     const char *name;
     uint32_t version;
     const char *text; /* purpose, for people; of the first version of a name, else NULL */
-    struct zr_picture picture;
+    const struct zr_picture *picture;
     zr_vec4 background; /* opaque; unused if the picture has a gradient */
 
     /* Default material of faces; its base colour is for meshes without a material and without colours. */

@@ -21,9 +21,9 @@ void zr_picture_give_key(struct zr_parsed_picture *given, const char *object, co
 
 struct zr_picture zr_picture_merge(const struct zr_parsed_picture *given, const struct zr_look *look)
 {
-    struct zr_picture merged = look->picture;
+    struct zr_picture merged = *look->picture;
 #define TAKE(ID, object, key, member, is_linear)                                                                       \
-    if (zr_picture_gives(given, ZR_PICTURE_##ID)) merged.member = given->picture.member;
+    if (zr_picture_gives(given, ZR_PICTURE_##ID)) merged.member = given->given.member;
     ZR_PICTURE_KEYS(TAKE)
 #undef TAKE
     if (zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT) && merged.environment.name != ZR_ENVIRONMENT_NONE &&

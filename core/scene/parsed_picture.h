@@ -3,6 +3,7 @@
 #define ZR_PARSED_PICTURE_H
 
 #include "scene/looks.h"
+#include "scene/picture.h"
 #include "scene/picture_keys.h"
 #include "scene/scene_builder.h"
 
@@ -14,8 +15,9 @@ enum zr_picture_key {
 };
 
 struct zr_parsed_picture {
-    uint64_t keys; /* set of given keys: bits 1 << enum zr_picture_key */
-    struct zr_picture picture;
+    uint64_t keys;            /* set of given keys: bits 1 << enum zr_picture_key */
+    struct zr_picture given;  /* their values; the others are undefined */
+    struct zr_picture merged; /* with the look, once the root is read: the scene's picture */
 };
 
 static inline void zr_picture_give(struct zr_parsed_picture *given, enum zr_picture_key key)

@@ -17,7 +17,6 @@
 #include "scene/colormap.h"
 #include "scene/image.h"
 #include "scene/part_keys.h"
-#include "scene/picture.h"
 #include "scene/section.h"
 #include "scene/shadings.h"
 #include "scene/sheet.h"
@@ -276,6 +275,7 @@ struct zr_color_bar {
 };
 
 struct zr_look;        /* scene/looks.h */
+struct zr_picture;     /* scene/picture.h */
 struct zr_view_set;    /* scene/camera/view_set.h */
 struct zr_mesh_tables; /* mesh/mesh_tables.h */
 struct zr_known_parts; /* render/frame_parts.h */
@@ -300,7 +300,7 @@ struct zr_scene {
     zr_vec4 background;
     zr_vec3 ambient;
     struct zr_fog fog;
-    struct zr_picture picture;
+    const struct zr_picture *picture;
     struct zr_color_bar color_bar;
     struct zr_part_keys parts; /* as read; input/query/part_select.h changes the scene by them */
     struct zr_sections sections;

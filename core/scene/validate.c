@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "scene/output.h"
+#include "scene/picture.h"
 static void check_side(const char *pointer, uint32_t side, const struct zr_limits *limits, struct zr_error *error)
 {
     if (side < 1 || side > limits->window_side_max)
@@ -144,7 +145,7 @@ static bool has_faces(const struct zr_scene *scene)
 /* An SVG has lines of the mesh, and nothing else. */
 static void check_svg(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
-    const struct zr_edges *edges = &scene->picture.edges;
+    const struct zr_edges *edges = &scene->picture->edges;
     if (!zr_view_encodes(view, ZR_ENCODING_SVG)) return;
     if (scene->base)
         zr_error_add(error, ZR_BAD_SCENE, "/base",

@@ -6,6 +6,7 @@
 #include "base/run.h"
 #include "mesh/closed_parts.h"
 #include "scene/parts/part_list.h"
+#include "scene/picture.h"
 #include "sections/hatch.h"
 
 enum { FACES_PER_CANCEL_CHECK = 1 << 13, POSITIONS_PER_CANCEL_CHECK = 1 << 17 };
@@ -210,8 +211,8 @@ static bool dress_caps(struct cutting *c, uint32_t instance, struct zr_sectioned
         c->caps[c->cap_count++] =
             (struct zr_section_cap){instance, cap->part, cap->plane, zr_sectioned_cap_area(mesh, i, matrix)};
         if (texcoords)
-            zr_hatch_put(mesh, first + i, matrix, &c->planes->at[cap->plane], c->scene->picture.z_is_up, part, c->pitch,
-                         texcoords);
+            zr_hatch_put(mesh, first + i, matrix, &c->planes->at[cap->plane], c->scene->picture->z_is_up, part,
+                         c->pitch, texcoords);
     }
     mesh->face_materials = materials;
     if (texcoords) mesh->texcoords = texcoords;

@@ -7,6 +7,7 @@
 #include "base/run.h"
 #include "output/json/json_print.h"
 #include "scene/output.h"
+#include "scene/picture.h"
 #include "views/view_scene.h"
 
 enum zr_status zr_sheet_picture_make(struct zr_arena *arena, const struct zr_views *views,
@@ -42,7 +43,7 @@ static void find_direction(const struct zr_sheet_picture *sheet, uint32_t number
 {
     const struct zr_views *views = sheet->views;
     const struct zr_view_set *set = views->set;
-    const struct zr_orbit orbit = zr_orbit_of(&sheet->cameras[number], views->scene->picture.z_is_up);
+    const struct zr_orbit orbit = zr_orbit_of(&sheet->cameras[number], views->scene->picture->z_is_up);
     const bool is_named =
         set->kind == ZR_VIEW_SET_LIST && (set->items[number].preset >= 0 || set->items[number].has_angles);
     text[0] = '\0';
@@ -104,7 +105,7 @@ static void print_view(struct zr_print *print, const struct zr_sheet_picture *sh
 {
     const struct zr_views *views = sheet->views;
     const struct zr_camera *camera = &sheet->cameras[number];
-    const struct zr_orbit orbit = zr_orbit_of(camera, views->scene->picture.z_is_up);
+    const struct zr_orbit orbit = zr_orbit_of(camera, views->scene->picture->z_is_up);
     const struct zr_box box = zr_sheet_box(&views->layout, number);
     const int32_t corners[] = {box.x, box.y, box.x + box.width, box.y + box.height};
     char name[ZR_VIEW_NAME_SIZE];

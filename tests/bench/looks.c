@@ -54,22 +54,22 @@ static void name_row(const struct task *task, char *name, size_t size)
 void looks_make_linear(struct ours *ours)
 {
     const struct zr_look *studio = zr_look_find("studio@1");
-    struct zr_scene *scene = &ours->subject.scene;
-    scene->picture = studio->picture;
-    scene->picture.side = 1;
-    scene->picture.occlusion.is_on = scene->picture.has_ground = false;
+    struct zr_picture *picture = &ours->subject.picture;
+    *picture = *studio->picture;
+    picture->side = 1;
+    picture->occlusion.is_on = picture->has_ground = false;
     ours->subject.materials[0].shading = ZR_SHADING_PBR;
     ours->subject.materials[0].roughness = studio->material.roughness;
 }
 
 static void add(struct ours *ours, enum added added)
 {
-    struct zr_picture *picture = &ours->subject.scene.picture;
+    struct zr_picture *picture = &ours->subject.picture;
     if (added == SAMPLES_4) picture->side = 2;
     if (added == SAMPLES_16) picture->side = 4;
     if (added == SAMPLES_64) picture->side = 8;
     if (added == LINEAR || added == ALL) looks_make_linear(ours);
-    if (added == ALL) *picture = zr_look_find("studio@1")->picture;
+    if (added == ALL) *picture = *zr_look_find("studio@1")->picture;
     if (added == OCCLUSION) picture->occlusion.is_on = true;
     if (added == GROUND) picture->has_ground = true;
     if (added == EDGES) picture->edges.is_on = true;
@@ -95,7 +95,7 @@ static void take_look(struct ours *ours, const char *name)
     const struct zr_look *look = zr_look_find(name);
     struct zr_scene *scene = &ours->subject.scene;
     scene->look = look;
-    scene->picture = look->picture;
+    ours->subject.picture = *look->picture;
     scene->lights = look->lights;
     scene->light_count = look->light_count;
     ours->subject.materials[0] = look->material;

@@ -9,6 +9,7 @@
 #include "reference/gl/reference_gl.h"
 #include "reference/gl/reference_texture.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/picture.h"
 #include "shade/lights/light.h"
 
 enum { POSITIONS, COLORS, NORMALS, TEXCOORDS, INDICES };
@@ -166,7 +167,7 @@ static bool make_linear_program(struct shaded *shaded, struct reference_error *e
     static const float toes[] = {[ZR_TONE_NONE] = -1.0f, [ZR_TONE_KHRONOS] = 0.04f, [ZR_TONE_NEUTRAL] = 0.02f};
     char text[512];
     const struct reference_batch *batch = &shaded->arrays.batches[0];
-    const struct zr_picture *picture = &shaded->scene->picture;
+    const struct zr_picture *picture = shaded->scene->picture;
     const struct look_twin twin = {.scene = shaded->scene, .camera = &shaded->camera};
     snprintf(text, sizeof text,
              "#define FIXED\n"
@@ -197,7 +198,7 @@ static void store_encoded(const struct reference *reference)
 static bool make_program(struct shaded *shaded, struct reference_error *error)
 {
     shaded->reference->fixed = constants_of_phong(shaded);
-    if (!shaded->scene->picture.is_linear) return true;
+    if (!shaded->scene->picture->is_linear) return true;
     store_encoded(shaded->reference);
     return make_linear_program(shaded, error);
 }
@@ -217,7 +218,7 @@ bool shaded_take(struct shaded *shaded, const struct zr_scene *scene)
         !keep_meshes(shaded, &joined) || !make_batches(shaded, &joined))
         return complain(&error);
     if (scene->texture_count > 0) {
-        shaded->textures = reference_textures_make(scene, scene->picture.is_linear, &error);
+        shaded->textures = reference_textures_make(scene, scene->picture->is_linear, &error);
         if (!shaded->textures) return complain(&error);
     }
     return make_program(shaded, &error) || complain(&error);

@@ -11,7 +11,8 @@ encodings=$(grep -rl --include='*.h' '^enum zr_encoding {' core)
 ROWS="channel 120 core/scene/channels.h core/shade/channels/channels_simd.h
 encoding 60 $encodings core/scene/channels.h
 format 60 core/format_rows.h
-parameter 60 core/parameter_rows.h"
+parameter 60 core/parameter_rows.h
+key 60 core/scene/picture.h core/scene/picture_keys.h"
 
 compilations() { # FILES: of a change of these
     find core server clients -name '*.[ch]' ! -path 'clients/reference/*' ! -path 'clients/examples/*' | sort | xargs awk -v changed="$1" -f "$script"

@@ -309,7 +309,7 @@ static void make_look(const char *name, bool large_window)
     make_ground(large_window ? FEW : MANY);
     const struct zr_look *look = zr_look_find(name);
     test.scene.look = look;
-    test.scene.picture = look->picture;
+    test.picture = *look->picture;
     test.scene.lights = look->lights;
     test.scene.light_count = look->light_count;
     test.material = look->material;
@@ -364,8 +364,8 @@ TEST(pictures_of_looks_stop_in_all_stages)
         const uint32_t cells = cases[i].large_window ? FEW : MANY;
         double whole_ms = 0, taken_ms;
         make_look(cases[i].look, cases[i].large_window);
-        test.scene.picture.side = cases[i].side;
-        if (cases[i].edge_width > 0) test.scene.picture.edges.width = cases[i].edge_width;
+        test.picture.side = cases[i].side;
+        if (cases[i].edge_width > 0) test.picture.edges.width = cases[i].edge_width;
         for (int turn = 0; turn < 2; turn++) /* the first one pays for pages */
             assert_false(stops_amid(cells, (double)INFINITY, &whole_ms));
         for (int k = 0; k < TIMES; k++) {

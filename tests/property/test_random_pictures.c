@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene/picture.h"
 #include "support/isas.h"
 #include "support/pictures/digests.h"
 #include "support/pictures/pictures.h"
@@ -45,7 +46,7 @@ static bool shows_something(const struct zr_frame *frame)
 
 static void count(const struct drawn_picture *drawn, struct seen *seen)
 {
-    const struct zr_picture *picture = &drawn->scene->picture;
+    const struct zr_picture *picture = drawn->scene->picture;
     seen->linear += picture->is_linear;
     seen->textbook += !picture->is_linear;
     seen->gradients += picture->has_gradient;

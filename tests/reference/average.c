@@ -1,4 +1,5 @@
 #include "reference/average.h"
+#include "scene/picture.h"
 
 #include <string.h>
 
@@ -10,19 +11,21 @@ static const struct zr_mesh *meshes_of_large(struct zr_arena *arena, const struc
     struct zr_mesh *meshes = zr_arena_alloc(arena, scene->mesh_count, sizeof *meshes);
     for (uint32_t i = 0; meshes && i < scene->mesh_count; i++) {
         meshes[i] = scene->meshes[i];
-        meshes[i].point_size *= (float)scene->picture.side;
+        meshes[i].point_size *= (float)scene->picture->side;
     }
     return meshes ? meshes : scene->meshes;
 }
 
-struct zr_scene average_scene(struct zr_arena *arena, const struct zr_scene *scene)
+struct zr_scene average_scene(struct zr_arena *arena, const struct zr_scene *scene, struct zr_picture *picture)
 {
     struct zr_scene large = *scene;
-    const uint32_t side = scene->picture.side;
+    const uint32_t side = scene->picture->side;
     large.views[0].width *= side;
     large.views[0].height *= side;
-    large.picture.line_width *= (float)side;
-    large.picture.side = 1;
+    *picture = *scene->picture;
+    picture->line_width *= (float)side;
+    picture->side = 1;
+    large.picture = picture;
     large.meshes = meshes_of_large(arena, scene);
     return large;
 }

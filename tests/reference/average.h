@@ -10,8 +10,8 @@
 #include "scene/scene.h"
 
 /* The scene whose picture has `side` times the width and the height, lines that are as much wider, and points
- * that are as much larger: its meshes lie in the arena. */
-struct zr_scene average_scene(struct zr_arena *arena, const struct zr_scene *scene);
+ * that are as much larger: its meshes lie in the arena. `picture`: written, the scene's. */
+struct zr_scene average_scene(struct zr_arena *arena, const struct zr_scene *scene, struct zr_picture *picture);
 
 /* `samples` has side x side as many pixels as `out`, which has width x height. */
 void average_bytes(const uint8_t *samples, uint32_t side, uint32_t width, uint32_t height, uint8_t *out);

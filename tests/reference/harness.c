@@ -12,6 +12,7 @@
 #include "reference/gl/look_twin.h"
 #include "reference/page/report.h"
 #include "reference/subject.h"
+#include "scene/picture.h"
 
 enum { FAILURES_MAX = 3, ALONE_MAX = 8 };
 /* Beyond these no two transforms in float can be asked to agree: a corner may move by a step of the subpixel grid,
@@ -111,7 +112,7 @@ static bool draw_layers(struct harness *harness, const struct zr_scene *scene, c
     }
     for (size_t i = 0; i < pixels; i++)
         harness->layers_alone += picture.count[i] > 0 && picture.owner[i] == 0;
-    if (!scene->picture.is_linear && harness->options.bar == COMPARE_EXACT)
+    if (!scene->picture->is_linear && harness->options.bar == COMPARE_EXACT)
         harness->sums_different += layers_twin_compare(&harness->arena, harness->team, scene, camera, &picture);
     return true;
 }
@@ -120,8 +121,9 @@ static bool draw_layers(struct harness *harness, const struct zr_scene *scene, c
 static bool draw_average(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
                          const struct batches_options *options)
 {
-    const struct zr_scene large = average_scene(&harness->arena, scene);
-    const uint32_t side = scene->picture.side, width = scene->views[0].width, height = scene->views[0].height;
+    struct zr_picture picture;
+    const struct zr_scene large = average_scene(&harness->arena, scene, &picture);
+    const uint32_t side = scene->picture->side, width = scene->views[0].width, height = scene->views[0].height;
     const size_t samples = (size_t)large.views[0].width * large.views[0].height;
     const struct target to = {zr_arena_alloc(&harness->arena, samples, 4), zr_arena_alloc(&harness->arena, samples, 1),
                               NULL};
@@ -155,8 +157,8 @@ static bool draw_look(struct harness *harness, const struct zr_scene *scene, con
 static bool has_colors(const struct harness *harness, const struct zr_scene *scene)
 {
     const bool is_exact = harness->options.bar == COMPARE_EXACT;
-    if (scene->picture.is_linear) return is_exact && !look_twin_lacks(scene);
-    return is_exact || scene->picture.side <= 1;
+    if (scene->picture->is_linear) return is_exact && !look_twin_lacks(scene);
+    return is_exact || scene->picture->side <= 1;
 }
 
 /* Instead of the colours of pixels' centres, which may be others than the picture's. */
@@ -164,8 +166,8 @@ static bool draw_colors(struct harness *harness, const struct zr_scene *scene, c
                         const struct batches_options *options)
 {
     if (!has_colors(harness, scene)) return true;
-    if (scene->picture.is_linear) return draw_look(harness, scene, camera, options);
-    return scene->picture.side <= 1 || draw_average(harness, scene, camera, options);
+    if (scene->picture->is_linear) return draw_look(harness, scene, camera, options);
+    return scene->picture->side <= 1 || draw_average(harness, scene, camera, options);
 }
 
 /* Who owns a pixel is read from one colour a face; then the scene is drawn as it looks. */
@@ -213,7 +215,7 @@ static bool has_points(const struct zr_scene *scene)
 static bool has_ties(const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        const float size = scene->meshes[i].point_size * (float)scene->picture.side * (float)ZR_SUBPIXELS;
+        const float size = scene->meshes[i].point_size * (float)scene->picture->side * (float)ZR_SUBPIXELS;
         if (scene->meshes[i].point_count > 0 && size - floorf(size) == 0.5f) return true;
     }
     return false;
@@ -246,7 +248,7 @@ static bool lacks_line_rule(const struct harness *harness, const struct zr_scene
 static uint32_t color_slack(const struct harness *harness, const struct zr_scene *scene)
 {
     if (!has_colors(harness, scene)) return COMPARE_NO_COLORS;
-    return scene->picture.is_linear ? LOOK_TWIN_SLACK : 0;
+    return scene->picture->is_linear ? LOOK_TWIN_SLACK : 0;
 }
 
 /* Off by one step now and then is what rounding does; more than that, and it is another light. */
@@ -280,7 +282,7 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
         return VERDICT_EQUAL;
     }
     tally->pictures++;
-    tally->colors_left_out += scene->picture.is_linear && !has_colors(harness, scene);
+    tally->colors_left_out += scene->picture->is_linear && !has_colors(harness, scene);
     tally->triangles += batches.triangles;
     const struct zr_counts *counts = &frame->counts;
     tally->clipped += counts->clipped + counts->clipped_lines + counts->clipped_outlines + counts->outside_points;
@@ -293,7 +295,7 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     nearness_free(&nearness);
     tally->comparison.visible += harness->layers_alone;
     tally->comparison.color += harness->sums_different;
-    if (scene->picture.is_linear && too_many_near(&before, &tally->comparison)) {
+    if (scene->picture->is_linear && too_many_near(&before, &tally->comparison)) {
         tally->comparison.color += tally->comparison.color_near - before.color_near;
         return VERDICT_DIFFERENT;
     }

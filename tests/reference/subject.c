@@ -48,9 +48,10 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                      .face_colors = per_vertex ? NULL : drawing->face_colors,
                                      .face_materials = drawing->see_through ? drawing->face_materials : NULL};
     subject->instance = (struct zr_instance){.mesh = 0, .object_to_world = zr_mat4_identity()};
+    subject->picture = (struct zr_picture){.side = drawing->side, .line_width = drawing->line_width};
     subject->scene = (struct zr_scene){.look = zr_look_textbook(),
                                        .background = {0, 0, 0, 1},
-                                       .picture = {.side = drawing->side, .line_width = drawing->line_width},
+                                       .picture = &subject->picture,
                                        .ambient = drawing->ambient,
                                        .light_count = drawing->light_count,
                                        .lights = drawing->lights,

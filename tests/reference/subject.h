@@ -5,6 +5,7 @@
 #include "core.h"
 #include "reference/drawing.h"
 #include "scene/output.h"
+#include "scene/picture.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 
@@ -12,6 +13,7 @@
  * Points into itself and into the drawing: do not copy. */
 struct subject {
     struct zr_scene scene;
+    struct zr_picture picture;
     struct zr_material materials[ZR_ALPHA_COUNT]; /* by alphaMode */
     struct zr_mesh mesh;
     struct zr_instance instance;

@@ -30,7 +30,9 @@ void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height
     for (int i = 0; i < 4; i++)
         test->outputs[i] =
             (struct zr_output){.channel = channels[i], .encoding = i ? ZR_ENCODING_NPY : ZR_ENCODING_PNG};
+    test->picture = (struct zr_picture){.side = 0};
     test->scene = (struct zr_scene){.look = zr_look_textbook(),
+                                    .picture = &test->picture,
                                     .background = {0, 0, 0, 1},
                                     .material_count = 1,
                                     .mesh_count = 1,

@@ -5,6 +5,7 @@
 #include "core.h"
 #include "cost/cost.h"
 #include "scene/output.h"
+#include "scene/picture.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "support/pictures/look.h"
@@ -13,6 +14,7 @@
  * itself: do not copy. Tests change members after scene_of_triangles. */
 struct test_scene {
     struct zr_scene scene;
+    struct zr_picture picture;
     struct zr_mesh mesh;
     struct zr_instance instance;
     struct zr_material material;

@@ -27,7 +27,9 @@ struct zr_json_field {
     const char *unit, *otherwise, *text; /* documentation: the unit, the default, the meaning */
     const char *schema;                  /* of the value, as JSON Schema; NULL: follows from `read`, `object` or `words`
                                             (schema/schema.h) */
-    uint32_t of, required_of;            /* of a key of some types only: bits of the words of the first key; 0: all */
+    size_t through;           /* offset in the object's struct of a pointer to the struct that has the member;
+                                            0: the object's struct itself has it */
+    uint32_t of, required_of; /* of a key of some types only: bits of the words of the first key; 0: all */
 };
 
 /* A schema as text. Tokens are not expanded: true and false stay words. Refers to kinds of values and to objects as

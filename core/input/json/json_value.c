@@ -60,7 +60,9 @@ static void read_field(struct zr_json_reading *reading, const struct zr_json_tex
     const uint64_t bit = ZR_KEY(number & 63);
     if (number < object->count && field->read && !(*reading->given & bit)) {
         *reading->given |= bit;
-        field->read(json, ZR_JSON_FIELD(path, field), (char *)reading->out + field->offset);
+        char *out = reading->out;
+        if (field->through) out = *(char **)(void *)(out + field->through);
+        field->read(json, ZR_JSON_FIELD(path, field), out + field->offset);
         return;
     }
     const char *word = zr_json_decode(json, key);

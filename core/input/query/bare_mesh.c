@@ -8,6 +8,7 @@
 #include "render_request.h"
 #include "scene/camera/view_set.h"
 #include "scene/defaults.h"
+#include "scene/picture.h"
 
 /* Places the meshes in the axes of the file, by its nodes if it has any. zr_query_orient turns them. */
 static void place(struct zr_query *query)
@@ -149,12 +150,12 @@ static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
     const int shading = root->face_style.shading;
     for (size_t i = 0; !has_materials(root) && i < request->asset_count; i++)
         zr_warn_of_unused_asset(root->builder, &request->assets[i]);
-    if (format->is_soup && !root->scene->picture.is_linear && shading != ZR_UNSET &&
+    if (format->is_soup && !root->scene->picture->is_linear && shading != ZR_UNSET &&
         zr_shading_varies((enum zr_shading)shading))
         zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
                             "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
                             zr_shading_names.words[shading], format->name);
-    if (root->scene->mesh_count > 0 && root->builder->meshes[0].face_groups && !root->scene->picture.is_linear &&
+    if (root->scene->mesh_count > 0 && root->builder->meshes[0].face_groups && !root->scene->picture->is_linear &&
         shading != ZR_UNSET && zr_shading_varies((enum zr_shading)shading))
         zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
                             "shading=%s ignores the smoothing groups (s) here; looks of linear light use them",

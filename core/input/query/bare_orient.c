@@ -7,6 +7,7 @@
 #include "render_request.h"
 #include "scene/camera/face_on.h"
 #include "scene/camera/mesh_up.h"
+#include "scene/picture.h"
 
 static enum zr_mesh_up usual_up(const struct zr_query *query)
 {
@@ -45,7 +46,7 @@ static void show_face_on(const struct zr_query *query)
     struct zr_view *view = &scene->views[0];
     const bool has_view = request->preset || request->azimuth || request->elevation || query->camera ||
                           (builder->keeping && builder->keeping->has_view);
-    if (has_view || scene->picture.z_is_up) return;
+    if (has_view || scene->picture->z_is_up) return;
     const struct zr_bounds bounds = zr_bounds_of(scene, builder->team, request->cancel);
     scene->has_box = bounds.valid;
     scene->box_min = bounds.min;

@@ -2,6 +2,7 @@
 
 #include "input/query/point_spacing.h"
 #include "render_request.h"
+#include "scene/parsed_picture.h"
 
 struct numbers {
     uint64_t faces, lines, points;
@@ -27,10 +28,9 @@ static bool is_cloud(const struct zr_scene *scene)
 
 bool zr_cloud_take_edges(struct zr_parsed_scene *root)
 {
-    struct zr_picture *picture = &root->scene->picture;
-    if (!is_cloud(root->scene) || !picture->edges.is_on || zr_picture_gives(&root->picture, ZR_PICTURE_EDGES))
-        return false;
-    picture->edges.is_on = false;
+    struct zr_edges *edges = &root->picture->merged.edges;
+    if (!is_cloud(root->scene) || !edges->is_on || zr_picture_gives(root->picture, ZR_PICTURE_EDGES)) return false;
+    edges->is_on = false;
     return true;
 }
 
@@ -52,7 +52,7 @@ void zr_cloud_draw_in_ink(const struct zr_query *query)
 {
     const struct zr_scene_builder *builder = query->given.builder;
     const struct zr_look *look = builder->scene->look;
-    const zr_vec3 edges = builder->scene->picture.edges.color, own = look->picture.edges.color;
+    const zr_vec3 edges = builder->scene->picture->edges.color, own = look->picture->edges.color;
     const bool is_own = edges.x == own.x && edges.y == own.y && edges.z == own.z;
     const zr_vec4 ink = is_own && look->cloud.w > 0.0f ? look->cloud : (zr_vec4){edges.x, edges.y, edges.z, 1};
     if (look->material.shading == ZR_SHADING_PBR) return;
@@ -69,6 +69,6 @@ void zr_cloud_size_points(const struct zr_query *query)
         if (mesh->point_count == 0 || mesh->point_size > 0.0f) continue;
         if (size == 0.0f) size = zr_point_size_for(builder->arena, builder->team, scene, &scene->views[0]);
         mesh->point_size = size;
-        mesh->points_are_round = scene->look->picture.side > 1;
+        mesh->points_are_round = scene->look->picture->side > 1;
     }
 }

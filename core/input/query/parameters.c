@@ -13,6 +13,7 @@
 #include "render_request.h"
 #include "scene/camera/mesh_up.h"
 #include "scene/defaults.h"
+#include "scene/parsed_picture.h"
 
 /* ---- the tables ---- */
 
@@ -248,6 +249,7 @@ static void open_query(const struct zr_request *request, const struct zr_limits 
     *query = (struct zr_query){.request = request,
                                .given = {.json = {.arena = builder->arena, .limits = limits},
                                          .builder = builder,
+                                         .picture = zr_arena_zero(builder->arena, 1, sizeof *given->picture),
                                          .scene = format->has_view ? &query->others : builder->scene,
                                          .is_bare = !format->has_view,
                                          .face_style = zr_face_style_unset},
@@ -269,6 +271,7 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
     const struct reading r = {request, &deep, query, error};
     deep.json_depth_max = ZR_JSON_DEPTH_MAX;
     open_query(request, &deep, builder, query);
+    if (!query->given.picture) return ZR_NO_MEMORY;
     for (int first = 0, end = 0; first < zr_parameter_count; first = end) {
         const size_t object = 1 + strcspn(zr_parameter_list[first].pointer + 1, "/");
         while (end < zr_parameter_count &&

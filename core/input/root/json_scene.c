@@ -7,6 +7,7 @@
 #include "input/scene/kept.h"
 #include "render_request.h"
 #include "scene/camera/view_set.h"
+#include "scene/parsed_picture.h"
 
 /* The deepest item of a list, /meshes/0/heights/values/0/0. Rows of numbers are read without counting levels. */
 enum { DEPTH_OF_LISTS = 6 };
@@ -99,6 +100,7 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
                                             .error = error},
                                    .builder = builder,
                                    .scene = scene,
+                                   .picture = zr_arena_zero(builder->arena, 1, sizeof *root.picture),
                                    .algorithm = (int)scene->algorithm,
                                    .face_style = zr_face_style_unset,
                                    .assets = zr_parsed_assets_of(builder, request),
@@ -106,7 +108,7 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
     struct zr_json *json = &root.json;
     json->assets = &root.assets;
     zr_json_open(json, request->bytes, request->size);
-    if (!root.assets.uses) return zr_json_close(json);
+    if (!root.assets.uses || !root.picture) return zr_json_close(json);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
     if (keeping && keeping->from && !zr_kept_load(keeping->from, &root)) return ZR_NO_MEMORY;
     if (zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.keys) && zr_json_end(json) && save(&root))

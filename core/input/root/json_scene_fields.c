@@ -1,6 +1,7 @@
 /* The keys of a scene. */
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "scene/parsed_picture.h"
 
 #define EXPOSURE_MAX 1e6
 
@@ -29,7 +30,8 @@ static bool read_visibility(struct zr_json *json, const struct zr_json_path *pat
 }
 
 #define AT(member)      offsetof(struct zr_parsed_scene, member)
-#define PICTURE(member) AT(picture.picture.member)
+#define PICTURE(member) offsetof(struct zr_parsed_picture, given.member)
+#define IN_PICTURE      .through = AT(picture)
 const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_VERSION] = {"version", read_version, 0, .otherwise = "1", .text = "version of the contract",
                           .schema = ZR_SCHEMA({"const" : 1})},
@@ -43,7 +45,7 @@ const struct zr_json_field zr_scene_fields[] = {
                                  ZR_SCHEMA({"anyOf" : [ {"$ref" : "#/$defs/color"}, {"$ref" : "#/$defs/gradient"} ]})},
     [ZR_SCENE_VIEW] = {"view", zr_read_view, 0, .object = &zr_json_object_view, .otherwise = "the look's",
                        .text = "pose and projection of the camera"},
-    [ZR_SCENE_UP] = {"up", zr_read_up, PICTURE(z_is_up), .words = &zr_up_names, .otherwise = "y",
+    [ZR_SCENE_UP] = {"up", zr_read_up, PICTURE(z_is_up), IN_PICTURE, .words = &zr_up_names, .otherwise = "y",
                      .text = "axis that points up, for views, environment and ground"},
     [ZR_SCENE_AMBIENT] = {"ambient", zr_read_light_color, AT(ambient),
                           .text = "ambient light: equal from all directions"},
@@ -77,27 +79,27 @@ const struct zr_json_field zr_scene_fields[] = {
                                    .words = &zr_management_names, .otherwise = "srgb if a key needs it, else none",
                                    .text =
                                        "space of computations with colours: none (as given) or srgb (linear light)"},
-    [ZR_SCENE_TONE_MAPPING] = {"toneMapping", zr_json_choice, PICTURE(tone), .words = &zr_tone_names,
+    [ZR_SCENE_TONE_MAPPING] = {"toneMapping", zr_json_choice, PICTURE(tone), IN_PICTURE, .words = &zr_tone_names,
                                .otherwise = "the look's; none",
                                .text = "tone curve, which compresses values brighter than white"},
-    [ZR_SCENE_EXPOSURE] = {"exposure", zr_json_float, PICTURE(exposure), 0, EXPOSURE_MAX, .otherwise = "the look's; 1",
-                           .text = "factor of all light, before tone mapping"},
+    [ZR_SCENE_EXPOSURE] = {"exposure", zr_json_float, PICTURE(exposure), 0, EXPOSURE_MAX, IN_PICTURE,
+                           .otherwise = "the look's; 1", .text = "factor of all light, before tone mapping"},
     [ZR_SCENE_SAMPLES] = {"samples", zr_read_samples, 0, 1, 64, .words = &zr_sample_names, .otherwise = "the look's; 1",
                           .text = "samples per pixel: 1, 4, 16 or 64",
                           .schema = ZR_SCHEMA({"enum" : [ 1, 4, 16, 64 ]})},
-    [ZR_SCENE_LINE_WIDTH] = {"lineWidth", zr_json_float, PICTURE(line_width), 0.1, 64, .unit = "pixels",
+    [ZR_SCENE_LINE_WIDTH] = {"lineWidth", zr_json_float, PICTURE(line_width), 0.1, 64, IN_PICTURE, .unit = "pixels",
                              .otherwise = "1", .text = "width of lines and outlines"},
     [ZR_SCENE_OCCLUSION] = {"occlusion", zr_read_occlusion, 0, .object = &zr_json_object_occlusion,
                             .otherwise = "the look's; false",
                             .text = "less ambient light in creases and holes: true, false or an object",
                             .schema = ZR_SCHEMA({"anyOf" : [ {"type" : "boolean"}, {"$ref" : "#/$defs/occlusion"} ]})},
-    [ZR_SCENE_GROUND_SHADOW] = {"groundShadow", zr_json_bool, PICTURE(has_ground), .otherwise = "the look's; false",
-                                .text = "soft shadow on the plane under the scene"},
+    [ZR_SCENE_GROUND_SHADOW] = {"groundShadow", zr_json_bool, PICTURE(has_ground), IN_PICTURE,
+                                .otherwise = "the look's; false", .text = "soft shadow on the plane under the scene"},
     [ZR_SCENE_EDGES] = {"edges", zr_read_edges, 0, .object = &zr_json_object_edges, .otherwise = "the look's; false",
                         .text = "lines along silhouettes and creases: true, false or an object",
                         .schema = ZR_SCHEMA({"anyOf" : [ {"type" : "boolean"}, {"$ref" : "#/$defs/edges"} ]})},
-    [ZR_SCENE_CREASE_DEGREES] = {"creaseDegrees", zr_json_float, PICTURE(crease_degrees), 0, 180, .unit = "degrees",
-                                 .otherwise = "the look's; 180",
+    [ZR_SCENE_CREASE_DEGREES] = {"creaseDegrees", zr_json_float, PICTURE(crease_degrees), 0, 180, IN_PICTURE,
+                                 .unit = "degrees", .otherwise = "the look's; 180",
                                  .text = "largest angle between faces that share computed normals"},
     [ZR_SCENE_ALGORITHM] = {"algorithm", zr_json_choice, AT(algorithm), .words = &zr_algorithm_names,
                             .otherwise = "halfspace", .text = "visibility algorithm; all give the same picture"},

@@ -7,6 +7,7 @@
 #include "base/team.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "scene/picture.h"
 
 /* The larger limit is for lamps with a position: it lights objects as far away as coordinates allow. */
 #define INTENSITY_MAX        1e6
@@ -258,7 +259,7 @@ bool zr_read_light_color(struct zr_json *json, const struct zr_json_path *path, 
 void zr_parsed_decode_light(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
-    const bool is_linear = scene->picture.is_linear;
+    const bool is_linear = scene->picture->is_linear;
     for (uint32_t i = 0; is_linear && zr_scene_gives(root, ZR_SCENE_LIGHTS) && i < root->light_count; i++) {
         const struct zr_parsed_light_colors *given = &root->light_colors[i];
         root->lights[i].color = zr_vec3_scale(zr_light_color(given->color, true), given->intensity);

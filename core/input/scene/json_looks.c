@@ -6,18 +6,20 @@
 #include "input/scene/json_scene.h"
 #include "scene/camera/upright.h"
 #include "scene/defaults.h"
+#include "scene/parsed_picture.h"
 
 /* ---- the picture ---- */
 
 static void use_picture(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
-    struct zr_environment *environment = &scene->picture.environment;
-    zr_parsed_note_keys(&root->picture, "", &zr_json_object_scene, root->keys);
-    scene->picture = zr_picture_merge(&root->picture, scene->look);
+    struct zr_environment *environment = &root->picture->merged.environment;
+    zr_parsed_note_keys(root->picture, "", &zr_json_object_scene, root->keys);
+    root->picture->merged = zr_picture_merge(root->picture, scene->look);
+    scene->picture = &root->picture->merged;
     if (zr_scene_gives(root, ZR_SCENE_BACKGROUND)) scene->background = root->background;
     if (zr_scene_gives(root, ZR_SCENE_ENVIRONMENT)) {
-        if (environment->name == ZR_ENVIRONMENT_NONE && !zr_picture_gives(&root->picture, ZR_PICTURE_ENVIRONMENT))
+        if (environment->name == ZR_ENVIRONMENT_NONE && !zr_picture_gives(root->picture, ZR_PICTURE_ENVIRONMENT))
             zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_ENVIRONMENT), "name is missing: the look %s has none",
                           scene->look->name);
     } else if (zr_scene_gives(root, ZR_SCENE_LIGHTS) || zr_scene_gives(root, ZR_SCENE_AMBIENT)) {
@@ -31,7 +33,7 @@ static void fit_samples(struct zr_parsed_scene *root)
     struct zr_scene *scene = root->scene;
     const struct zr_view *view = &scene->views[0];
     const uint32_t most = root->json.limits->window_side_max;
-    const uint32_t side = scene->picture.side, fits = zr_picture_side_in(side, view->width, view->height);
+    const uint32_t side = scene->picture->side, fits = zr_picture_side_in(side, view->width, view->height);
     if (fits == side || view->width > most || view->height > most) return; /* zr_scene_validate reports such windows */
     if (zr_scene_gives(root, ZR_SCENE_SAMPLES))
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_SAMPLES),
@@ -39,7 +41,7 @@ static void fit_samples(struct zr_parsed_scene *root)
                       fits * fits);
     else
         zr_warn_of_fewer_samples(root->builder, side, fits);
-    scene->picture.side = fits;
+    root->picture->merged.side = fits;
 }
 
 /* ---- lamps ---- */
@@ -51,7 +53,7 @@ static void use_own_lights(struct zr_parsed_scene *root)
     for (uint32_t i = 0; i < root->light_count; i++) {
         struct zr_light *light = &root->lights[i];
         if (zr_vec3_dot(light->direction, light->direction) > 0.0f) continue;
-        light->direction = scene->picture.z_is_up && !light->camera_frame ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
+        light->direction = scene->picture->z_is_up && !light->camera_frame ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
     }
     scene->lights = root->lights;
     scene->light_count = root->light_count;
@@ -83,14 +85,14 @@ static void light_pbr_too(struct zr_parsed_scene *root)
 static void use_lights_of_environment(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
-    const enum zr_environment_name name = scene->picture.environment.name;
-    if (name == scene->look->picture.environment.name) return;
+    const enum zr_environment_name name = scene->picture->environment.name;
+    if (name == scene->look->picture->environment.name) return;
     if (name == ZR_ENVIRONMENT_NONE) {
         light_pbr_too(root);
         return;
     }
     int i = 0;
-    while (zr_looks[i].picture.environment.name != name)
+    while (zr_looks[i].picture->environment.name != name)
         i++;
     scene->ambient = zr_looks[i].ambient;
     scene->lights = zr_looks[i].lights;
@@ -101,7 +103,7 @@ static void use_lights_of_environment(struct zr_parsed_scene *root)
 static void use_lights(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
-    const bool has_environment = scene->picture.environment.name != ZR_ENVIRONMENT_NONE;
+    const bool has_environment = scene->picture->environment.name != ZR_ENVIRONMENT_NONE;
     if (zr_scene_gives(root, ZR_SCENE_LIGHTS)) {
         use_own_lights(root);
         scene->ambient = has_environment ? (zr_vec3){0, 0, 0} : zr_default_ambient_of_own_lights();
@@ -123,7 +125,7 @@ void zr_parsed_use_look(struct zr_parsed_scene *root)
     fit_samples(root);
     use_lights(root);
     if (!zr_scene_gives(root, ZR_SCENE_VIEW)) zr_look_set_view(look, &scene->views[0]);
-    if (scene->picture.z_is_up) zr_view_put_z_up(&scene->views[0], root->view_has_up);
+    if (scene->picture->z_is_up) zr_view_put_z_up(&scene->views[0], root->view_has_up);
     scene->algorithm = (enum zr_algorithm)root->algorithm;
     if (!root->fog_has_color)
         scene->fog.color = (zr_vec3){scene->background.x, scene->background.y, scene->background.z};
@@ -135,9 +137,9 @@ void zr_parsed_use_look(struct zr_parsed_scene *root)
 static const char *linear_key_of(const struct zr_parsed_scene *root)
 {
     const struct zr_scene *scene = root->scene;
-    const char *key = zr_picture_linear_key(&root->picture, &scene->picture);
+    const char *key = zr_picture_linear_key(root->picture, scene->picture);
     if (!key) key = root->linear_key;
-    if (!key && scene->look->picture.is_linear) key = zr_scene_fields[ZR_SCENE_LOOK].key;
+    if (!key && scene->look->picture->is_linear) key = zr_scene_fields[ZR_SCENE_LOOK].key;
     return key;
 }
 
@@ -152,15 +154,15 @@ static void check_base(struct zr_parsed_scene *root, const char *linear_key)
                       scene->look->name);
     else if (linear_key)
         zr_json_fault(&root->json, path, "cannot be combined with linear light, which is needed for: %s", linear_key);
-    else if (scene->picture.side > 1)
+    else if (scene->picture->side > 1)
         zr_json_fault(&root->json, path, "cannot be combined with samples other than 1");
 }
 
 static void check_edges(struct zr_parsed_scene *root)
 {
-    const struct zr_edges *edges = &root->scene->picture.edges;
+    const struct zr_edges *edges = &root->scene->picture->edges;
     if (edges->is_on && edges->has_hidden && !edges->is_from_mesh &&
-        zr_picture_gives(&root->picture, ZR_PICTURE_EDGES_HIDDEN))
+        zr_picture_gives(root->picture, ZR_PICTURE_EDGES_HIDDEN))
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_EDGES),
                       "hiddenLines needs lines of the mesh: give \"from\": \"mesh\" as well");
 }
@@ -175,7 +177,7 @@ void zr_parsed_check_light(struct zr_parsed_scene *root)
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_COLOR_MANAGEMENT),
                       "none cannot be combined with %s, which needs linear light: srgb", key);
     if (is_srgb && !key) key = zr_scene_fields[ZR_SCENE_COLOR_MANAGEMENT].key;
-    root->scene->picture.is_linear = key != NULL;
+    root->picture->merged.is_linear = key != NULL;
     zr_parsed_decode_light(root);
     if (key && zr_scene_gives(root, ZR_SCENE_FOG))
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_FOG),

@@ -11,6 +11,7 @@
 #include "input/text/parameter_names.h"
 #include "input/text/text.h"
 #include "scene/defaults.h"
+#include "scene/picture.h"
 
 /* The exponent of highlights: larger values look the same at a pixel. */
 #define SHININESS_MAX 10000.0
@@ -345,7 +346,7 @@ static void warn_of(struct zr_parsed_scene *root, const struct some *some, const
 
 void zr_parsed_warn_of_materials(struct zr_parsed_scene *root)
 {
-    const bool is_linear = root->scene->picture.is_linear;
+    const bool is_linear = root->scene->picture->is_linear;
     struct some idle = {NULL, 0}, uncut = {NULL, 0}, odd = {NULL, 0};
     for (size_t i = 0; i < root->material_count; i++) {
         const struct zr_parsed_material *given = &root->materials[i];

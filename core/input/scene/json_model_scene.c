@@ -6,6 +6,7 @@
 #include "base/matrix.h"
 #include "input/text/text.h"
 #include "scene/camera/camera.h"
+#include "scene/picture.h"
 
 /* Returns the file's material, overridden by the values of the query. */
 static struct zr_parsed_material put_query(const struct zr_parsed_material *material,
@@ -106,7 +107,7 @@ void zr_model_scene_make_materials(struct zr_parsed_scene *root, const struct zr
 
 void zr_parsed_drop_maps(struct zr_parsed_scene *root)
 {
-    if (root->scene->picture.is_linear) return;
+    if (root->scene->picture->is_linear) return;
     for (uint32_t i = 0; i < root->scene->material_count; i++)
         for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
             if (slot != ZR_TEXTURE_BASE_COLOR) root->builder->materials[i].textures[slot] = 0;

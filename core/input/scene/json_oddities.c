@@ -5,6 +5,7 @@
 #include "input/text/names.h"
 #include "input/text/parameter_names.h"
 #include "scene/mesh_label.h"
+#include "scene/picture.h"
 
 void zr_parsed_note_oddity(struct zr_parsed_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon)
 {
@@ -46,7 +47,7 @@ static struct label label_of(const struct zr_parsed_scene *root, const struct zr
 /* Warns of given keys of light and tone if no face has a shading that uses them. */
 static void warn_of_light(struct zr_parsed_scene *root)
 {
-    const struct zr_picture *picture = &root->scene->picture;
+    const struct zr_picture *picture = root->scene->picture;
     const unsigned physical = zr_shadings_lit(ZR_SHADED_PHYSICALLY);
     const unsigned lit = physical | zr_shadings_lit(ZR_SHADED_BY_LAMPS);
     const struct {

@@ -4,6 +4,7 @@
 
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "scene/parsed_picture.h"
 
 #define INTENSITY_MAX 1e6
 #define ANGLE_MAX     1e6 /* degrees: larger angles are taken for mistakes */
@@ -61,7 +62,7 @@ bool zr_read_samples(struct zr_json *json, const struct zr_json_path *path, void
     while (side < ZR_SAMPLE_SIDE_MAX && (double)(side * side) < number)
         side *= 2;
     if ((double)(side * side) != number) return zr_json_fault(json, path, "%.15g; 1, 4, 16 or 64 are allowed", number);
-    root->picture.picture.side = side;
+    root->picture->given.side = side;
     return true;
 }
 
@@ -87,10 +88,10 @@ const struct zr_json_object zr_json_object_gradient = ZR_JSON_OBJECT_OF("gradien
 bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
-    struct zr_picture *picture = &root->picture.picture;
+    struct zr_picture *picture = &root->picture->given;
     uint64_t keys;
-    zr_picture_give(&root->picture, ZR_PICTURE_TOP);
-    zr_picture_give(&root->picture, ZR_PICTURE_BOTTOM);
+    zr_picture_give(root->picture, ZR_PICTURE_TOP);
+    zr_picture_give(root->picture, ZR_PICTURE_BOTTOM);
     if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_json_color(json, path, &root->background);
     if (!zr_json_fields(json, path, &zr_json_object_gradient, picture, &keys)) return false;
     picture->has_gradient = true;
@@ -124,8 +125,8 @@ const struct zr_json_object zr_json_object_occlusion = ZR_JSON_OBJECT_OF("occlus
 
 bool zr_read_occlusion(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    struct zr_parsed_picture *given = &((struct zr_parsed_scene *)out)->picture;
-    struct zr_occlusion *occlusion = &given->picture.occlusion;
+    struct zr_parsed_picture *given = ((struct zr_parsed_scene *)out)->picture;
+    struct zr_occlusion *occlusion = &given->given.occlusion;
     return read_effect(json, path, &zr_json_object_occlusion, given, occlusion, &occlusion->is_on);
 }
 
@@ -156,8 +157,8 @@ const struct zr_json_object zr_json_object_edges = ZR_JSON_OBJECT_OF("edges", ed
 
 bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    struct zr_parsed_picture *given = &((struct zr_parsed_scene *)out)->picture;
-    struct zr_edges *edges = &given->picture.edges;
+    struct zr_parsed_picture *given = ((struct zr_parsed_scene *)out)->picture;
+    struct zr_edges *edges = &given->given.edges;
     return read_effect(json, path, &zr_json_object_edges, given, edges, &edges->is_on);
 }
 
@@ -216,17 +217,17 @@ static bool read_environment(struct zr_json *json, const struct zr_json_path *pa
 
 bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    struct zr_parsed_picture *picture = &((struct zr_parsed_scene *)out)->picture;
+    struct zr_parsed_picture *picture = ((struct zr_parsed_scene *)out)->picture;
     struct given_environment given = {.name = -1};
     uint64_t keys;
     if (!read_environment(json, path, &given, &keys)) {
         zr_picture_give(picture, ZR_PICTURE_ENVIRONMENT); /* prevents a second report of a missing name */
         return false;
     }
-    picture->picture.environment = (struct zr_environment){.name = (enum zr_environment_name)(given.name + 1),
-                                                           .intensity = given.intensity,
-                                                           .rotation_degrees = given.rotation_degrees,
-                                                           .camera_frame = given.frame == FRAME_CAMERA};
+    picture->given.environment = (struct zr_environment){.name = (enum zr_environment_name)(given.name + 1),
+                                                         .intensity = given.intensity,
+                                                         .rotation_degrees = given.rotation_degrees,
+                                                         .camera_frame = given.frame == FRAME_CAMERA};
     zr_parsed_note_keys(picture, zr_json_object_environment.name, &zr_json_object_environment, keys);
     return true;
 }

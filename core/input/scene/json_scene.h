@@ -11,7 +11,6 @@
 #include "input/json/json_list.h"
 #include "input/json/json_value.h"
 #include "input/model/parsed_material.h"
-#include "scene/parsed_picture.h"
 #include "scene/scene_builder.h"
 
 /* Oddities of meshes: keys or opacities without the effect that they suggest. Each kind is one warning, which names the
@@ -115,9 +114,9 @@ struct zr_parsed_scene {
     bool is_bare;  /* a bare mesh: without baseColorFactor, the default colour of the look applies */
     int algorithm, color_management;
     zr_vec4 background, ambient;
-    struct zr_face_style face_style;  /* of the root */
-    const struct zr_look *look;       /* of the key `look`, or NULL */
-    struct zr_parsed_picture picture; /* merged with the look once the root is read */
+    struct zr_face_style face_style; /* of the root */
+    const struct zr_look *look;      /* of the key `look`, or NULL */
+    struct zr_parsed_picture *picture;
     uint32_t light_count;
     struct zr_light *lights;                     /* direction 0: the scene's up, set later */
     struct zr_parsed_light_colors *light_colors; /* one per light */
@@ -307,7 +306,7 @@ bool zr_view_count_check(struct zr_json *json, const struct zr_json_path *path, 
  * negated until zr_light_color (model/parsed_material.h) decodes it: to linear light, or to the values as written if light is not linear. */
 zr_json_read_fn zr_read_light_color;
 
-/* Decodes the colours of lamps, of `ambient` and of materials' specular, once scene->picture.is_linear is known. */
+/* Decodes the colours of lamps, of `ambient` and of materials' specular, once scene->picture->is_linear is known. */
 void zr_parsed_decode_light(struct zr_parsed_scene *root);
 
 /* json_picture.c: marks the given keys of the object `name` in `given`. */

@@ -6,6 +6,7 @@
 #include "scene/camera/flow.h"
 #include "scene/camera/upright.h"
 #include "scene/defaults.h"
+#include "scene/picture.h"
 
 static void find_view(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_flow *flow)
 {
@@ -21,7 +22,7 @@ static void find_view(struct zr_parsed_scene *root, const struct zr_json_path *p
     }
     flow->has_view = true;
     flow->view = given.view;
-    if (scene->picture.z_is_up) zr_view_put_z_up(&flow->view, zr_view_gives(&given, ZR_VIEW_UP));
+    if (scene->picture->z_is_up) zr_view_put_z_up(&flow->view, zr_view_gives(&given, ZR_VIEW_UP));
     if (given.fit_mesh)
         flow->view.fit_to_mesh = zr_parsed_find_mesh(root, ZR_JSON_KEY(ZR_VIEW_PATH(&given, ZR_VIEW_FIT), "mesh"),
                                                      given.fit_mesh, &flow->view.fit_mesh);

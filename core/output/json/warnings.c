@@ -9,6 +9,7 @@
 #include "scene/camera/resolved_view.h"
 #include "scene/mesh_label.h"
 #include "scene/output.h"
+#include "scene/picture.h"
 #include "sections/sections.h"
 
 /* Returns true if the corners of every placed face are collinear. */
@@ -142,7 +143,7 @@ static uint64_t count_masked(const struct zr_scene *scene)
 /* Adds a warning about faces whose holes show in the picture, but not in its lines. */
 static void add_masked(struct zr_arena *arena, const struct zr_scene *scene, struct zr_warning_list *w)
 {
-    const struct zr_edges *edges = &scene->picture.edges;
+    const struct zr_edges *edges = &scene->picture->edges;
     bool has_mask = false;
     for (uint32_t i = 0; i < scene->material_count; i++)
         has_mask = has_mask || scene->materials[i].alpha_mode == ZR_ALPHA_MASK;

@@ -7,6 +7,7 @@
 #include "base/run.h"
 #include "scene/camera/camera_parts.h"
 #include "scene/camera/extent_view.h"
+#include "scene/picture.h"
 
 static enum zr_status check_range(const struct zr_camera *camera, struct zr_error *error)
 {
@@ -36,7 +37,7 @@ static enum zr_status resolve(const struct zr_points *points, const struct zr_bo
     struct zr_bounds fitted = {.valid = false};
     if (zr_view_needs_bounds(view)) fitted = zr_fit_bounds(points, bounds);
     struct zr_view suited = *view;
-    zr_view_suit_extent(&suited, &fitted, points->scene->picture.z_is_up);
+    zr_view_suit_extent(&suited, &fitted, points->scene->picture->z_is_up);
     struct zr_points seen = *points;
     seen.view = view = &suited;
     points = &seen;

@@ -6,6 +6,7 @@
 #include "scene/camera/camera_parts.h"
 #include "scene/camera/upright.h"
 #include "scene/output.h"
+#include "scene/picture.h"
 
 const char *zr_view_set_pointer(const struct zr_view_set *set)
 {
@@ -36,11 +37,11 @@ static void pose_item(const struct zr_scene *scene, const struct zr_view_item *i
         view->elevation_degrees = item->elevation_degrees;
         view->has_target = false;
         view->distance = 0.0f;
-        view->up = scene->picture.z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
+        view->up = scene->picture->z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
         return;
     }
     view->preset = (enum zr_preset)item->preset;
-    if (scene->picture.z_is_up) zr_view_put_z_up(view, false);
+    if (scene->picture->z_is_up) zr_view_put_z_up(view, false);
 }
 
 bool zr_view_has_sheet_scale(const struct zr_view *view)
@@ -87,7 +88,7 @@ void zr_view_set_pose(const struct zr_scene *scene, const struct zr_view_set *se
     }
     view->suits_extent = false;
     view->pose = ZR_POSE_ORBIT;
-    view->up = scene->picture.z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
+    view->up = scene->picture->z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
     view->has_target = true;
     view->target = camera->target;
     view->distance = camera->distance;
@@ -117,7 +118,7 @@ static double depth_of(const struct zr_camera *camera, zr_vec3 p)
 static void find_angles(const struct zr_scene *scene, const struct zr_view_set *set, const struct zr_camera *first,
                         struct zr_shared_camera *camera)
 {
-    const struct zr_orbit orbit = zr_orbit_of(first, scene->picture.z_is_up);
+    const struct zr_orbit orbit = zr_orbit_of(first, scene->picture->z_is_up);
     camera->azimuth_degrees = orbit.azimuth_degrees;
     camera->elevation_degrees = set->has_elevation ? set->elevation_degrees : orbit.elevation_degrees;
 }

@@ -1,5 +1,6 @@
 #include "scene/parts/part_mesh.h"
 #include "base/cancel.h"
+#include "scene/picture.h"
 
 enum { ITEMS_PER_CANCEL_CHECK = 1 << 12 };
 
@@ -56,7 +57,7 @@ static uint32_t style_material(struct zr_scene_builder *builder, const zr_vec4 *
     struct zr_material material = builder->materials[number];
     if (style == 0) return number;
     if (style >> ZR_PART_COLOR_SHIFT) color(&material, colors[(style >> ZR_PART_COLOR_SHIFT) - 1]);
-    if (style & ZR_PART_GHOST) make_ghost(&builder->scene->picture, style >> ZR_PART_COLOR_SHIFT != 0, &material);
+    if (style & ZR_PART_GHOST) make_ghost(builder->scene->picture, style >> ZR_PART_COLOR_SHIFT != 0, &material);
     if (style & ZR_PART_HIDDEN) hide(&material);
     return zr_scene_builder_material(builder, &material);
 }

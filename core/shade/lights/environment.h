@@ -18,7 +18,7 @@
 #define ZR_ENVIRONMENT_H
 
 #include "base/vec.h"
-#include "scene/picture.h"
+#include "scene/effects.h"
 
 enum { ZR_ENVIRONMENT_BOXES = 6, ZR_ENVIRONMENT_LOBES = 2, ZR_HARMONICS = 9 };
 

@@ -1,11 +1,12 @@
 #include "shade/lights/lamps.h"
 
 #include "base/trig.h"
+#include "scene/picture.h"
 #include "shade/lights/environment.h"
 
 zr_vec3 zr_scene_up(const struct zr_scene *scene)
 {
-    return scene->picture.z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
+    return scene->picture->z_is_up ? (zr_vec3){0, 0, 1} : (zr_vec3){0, 1, 0};
 }
 
 /* Converts a world direction of any length to a unit vector in eye space. */
@@ -30,7 +31,7 @@ static void environment_axes(const struct zr_scene *scene, const zr_mat4 *world_
     axes[0] = (zr_vec3){1, 0, 0};
     axes[1] = (zr_vec3){0, 1, 0};
     axes[2] = back;
-    if (scene->picture.environment.camera_frame) return;
+    if (scene->picture->environment.camera_frame) return;
     axes[1] = to_eye_space(world_to_eye, zr_scene_up(scene));
     const zr_vec3 towards = level(back, axes[1]);
     axes[2] = zr_vec3_normalize(zr_vec3_dot(towards, towards) > 1e-6f ? towards : level(down, axes[1]));
@@ -43,7 +44,7 @@ static void turn_environment(const struct zr_scene *scene, const zr_mat4 *world_
     zr_vec3 axes[3];
     double sine, cosine;
     environment_axes(scene, world_to_eye, axes);
-    zr_sine_cosine(scene->picture.environment.rotation_degrees, &sine, &cosine);
+    zr_sine_cosine(scene->picture->environment.rotation_degrees, &sine, &cosine);
     const float s = (float)sine, c = (float)cosine;
     rows[0] = zr_vec3_sub(zr_vec3_scale(axes[0], c), zr_vec3_scale(axes[2], s));
     rows[1] = axes[1];
@@ -122,7 +123,7 @@ void zr_linear_lighting_make(struct zr_arena *arena, const struct zr_scene *scen
                              const struct zr_bounds *bounds, const struct zr_shadow_map *shadows,
                              struct zr_linear_lighting *lighting)
 {
-    const struct zr_picture *picture = &scene->picture;
+    const struct zr_picture *picture = scene->picture;
     const zr_vec4 eye = zr_camera_eye(camera);
     struct zr_lamp *lamps = zr_arena_alloc(arena, scene->light_count, sizeof *lamps);
     *lighting = (struct zr_linear_lighting){.materials = scene->materials,

@@ -8,7 +8,7 @@
 
 #include "base/mutant.h"
 #include "base/vec3_simd.h"
-#include "scene/picture.h"
+#include "scene/effects.h"
 
 static inline zr_vf zr_clamp01_v(zr_vf v)
 {

@@ -61,7 +61,7 @@ static bool take(struct sampling *s, const struct work *work, const struct varia
 {
     struct reference_error error = {""};
     ours_take(&s->ours, work, variant);
-    s->ours.subject.scene.picture.side = SIDE;
+    s->ours.subject.picture.side = SIDE;
     if (!theirs_take(&s->theirs, work, variant)) return false;
     return reference_resize(s->theirs.reference, s->width * SIDE, s->height * SIDE, false, &error) ||
            bench_complain("llvmpipe: %s", error.text);

@@ -109,7 +109,7 @@ static void give_light(struct lit *lit, enum zr_shading shading)
     struct subject *subject = &lit->ours.subject;
     if (shading == ZR_SHADING_PBR) {
         looks_make_linear(&lit->ours);
-        subject->scene.picture.has_gradient = false;
+        subject->picture.has_gradient = false;
         return;
     }
     subject->materials[0].shading = shading;

@@ -9,6 +9,7 @@
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
 #include "mesh/vertex_normals.h"
+#include "scene/picture.h"
 #include "shade/colors.h"
 #include "shade/lights/light.h"
 
@@ -50,7 +51,7 @@ static bool find_creases(struct batches_builder *b, struct batches_source *s)
     if (!s->has_vertex_normals) s->face_normal = zr_normal_of_face(s->mesh, s->face);
     if (s->has_vertex_normals && !s->creases && zr_mesh_lacks_normals(s->mesh))
         s->creases =
-            zr_crease_normals_make(&(struct zr_run){.arena = b->arena}, s->mesh, b->scene->picture.crease_degrees);
+            zr_crease_normals_make(&(struct zr_run){.arena = b->arena}, s->mesh, b->scene->picture->crease_degrees);
     return zr_arena_ok(b->arena);
 }
 
@@ -487,7 +488,7 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
         arrays->textures_of = scene;
         arrays->decode = options->purpose == BATCHES_LIGHT;
     }
-    arrays->line_width = line_width_of(&scene->picture);
+    arrays->line_width = line_width_of(scene->picture);
     arrays->projection = options->transformed ? zr_mat4_identity() : camera->projection;
     arrays->background = (zr_vec4){0, 0, 0, options->purpose == BATCHES_LIGHT ? 0 : 1};
     if (options->purpose == BATCHES_COLORS) arrays->background = scene->background;

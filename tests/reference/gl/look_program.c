@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "reference/gl/look_twin.h"
+#include "scene/picture.h"
 
 /* gl_Color is the surface's own colour, sRGB-encoded; its w tells which side is seen: 0 that which GL finds, 1 the
  * front, 2 the back; 3: it is a line, which has none. */

@@ -5,6 +5,7 @@
 
 #include "reference/average.h"
 #include "reference/gl/look_texture.h"
+#include "scene/picture.h"
 #include "shade/lights/dfg.h"
 
 typedef double vec3[3];
@@ -29,7 +30,7 @@ static bool is_of_one_ink(const struct zr_scene *scene)
 
 const char *look_twin_lacks(const struct zr_scene *scene)
 {
-    const struct zr_picture *picture = &scene->picture;
+    const struct zr_picture *picture = scene->picture;
     if (picture->occlusion.is_on) return "occlusion";
     if (picture->has_ground) return "the ground's shadow";
     if (picture->edges.is_on) return "edges";
@@ -67,9 +68,9 @@ static void to_eye(const struct zr_camera *camera, const vec3 world, vec3 out)
  * camera's side, or, seen from straight above, at the bottom of the picture; turned counter-clockwise, from above. */
 static void environment_rows(const struct look_twin *twin, vec3 rows[3])
 {
-    const struct zr_environment *environment = &twin->scene->picture.environment;
+    const struct zr_environment *environment = &twin->scene->picture->environment;
     const double angle = environment->rotation_degrees * acos(-1.0) / 180.0, c = cos(angle), s = sin(angle);
-    const vec3 world_up = {0, !twin->scene->picture.z_is_up, twin->scene->picture.z_is_up};
+    const vec3 world_up = {0, !twin->scene->picture->z_is_up, twin->scene->picture->z_is_up};
     vec3 up = {0, 1, 0}, front = {0, 0, 1}, right;
     if (!environment->camera_frame) {
         to_eye(twin->camera, world_up, up);
@@ -209,15 +210,15 @@ static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
     memset(u, 0, sizeof *u);
     u->viewer = zr_camera_eye(twin->camera);
     u->ambient = zr_vec3_add(scene->ambient, (zr_vec3){more, more, more});
-    u->exposure = scene->picture.exposure;
-    u->toe = toes[scene->picture.tone];
-    u->environment = (float)scene->picture.environment.name;
-    u->intensity = scene->picture.environment.intensity;
+    u->exposure = scene->picture->exposure;
+    u->toe = toes[scene->picture->tone];
+    u->environment = (float)scene->picture->environment.name;
+    u->intensity = scene->picture->environment.intensity;
     for (int i = 0; i < ZR_DFG_SIDE * ZR_DFG_SIDE; i++)
         for (int k = 0; k < 2; k++)
             u->split[i][k] = zr_dfg_table[i / ZR_DFG_SIDE][k][i % ZR_DFG_SIDE];
-    const struct zr_gooch *gooch = &scene->picture.gooch;
-    const struct zr_xray_opacity *xray = &scene->picture.xray;
+    const struct zr_gooch *gooch = &scene->picture->gooch;
+    const struct zr_xray_opacity *xray = &scene->picture->xray;
     u->middle = middle_of(twin);
     u->gooch = (zr_vec3){gooch->tints_cool, gooch->least, gooch->rise};
     u->xray = (zr_vec4){xray->least, xray->rise, xray->is_square ? 2.0f : 3.0f, xray->lean};
@@ -339,7 +340,7 @@ static uint8_t byte_of(double v)
 /* Linear, and its opacity; a gradient goes from the middle of the first row to that of the last one. */
 static void background_of(const struct zr_scene *scene, uint32_t row, double out[4])
 {
-    const struct zr_picture *picture = &scene->picture;
+    const struct zr_picture *picture = scene->picture;
     const uint32_t height = scene->views[0].height;
     const double down = height > 1 ? (double)row / (height - 1) : 0.0;
     const float *top = picture->has_gradient ? &picture->top.x : &scene->background.x;
@@ -354,7 +355,7 @@ static double dither_of(const struct zr_scene *scene, uint32_t x, uint32_t row)
 {
     static const int pattern[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
     const uint32_t y = scene->views[0].height - 1 - row;
-    if (!scene->picture.has_gradient || !scene->picture.dithers) return 0.0;
+    if (!scene->picture->has_gradient || !scene->picture->dithers) return 0.0;
     return ((pattern[y & 3][x & 3] + 0.5) / 16.0 - 0.5) / 255.0;
 }
 
@@ -375,8 +376,9 @@ static void finish_pixel(const float *corner, uint32_t side, size_t row_floats, 
 
 bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error)
 {
-    struct zr_scene large = average_scene(twin->arena, twin->scene);
-    const uint32_t side = twin->scene->picture.side;
+    struct zr_picture picture;
+    struct zr_scene large = average_scene(twin->arena, twin->scene, &picture);
+    const uint32_t side = twin->scene->picture->side;
     const uint32_t width = twin->scene->views[0].width, height = twin->scene->views[0].height;
     const size_t count = (size_t)large.views[0].width * large.views[0].height;
     const size_t row_floats = (size_t)large.views[0].width * 4;

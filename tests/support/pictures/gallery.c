@@ -1,4 +1,5 @@
 #include "support/pictures/gallery.h"
+#include "scene/picture.h"
 
 #include <math.h>
 #include <string.h>
@@ -383,7 +384,9 @@ static void set_init(struct set *s, struct zr_arena *arena, uint32_t width, uint
     s->material = (struct zr_material){.base_color = {1, 1, 1, 1}, .shading = ZR_SHADING_UNLIT, .double_sided = true};
     s->mesh.name = "";
     s->instances[0].object_to_world = s->instances[1].object_to_world = zr_mat4_identity();
+    static const struct zr_picture picture = {.side = 0};
     s->scene = (struct zr_scene){.look = zr_look_textbook(),
+                                 .picture = &picture,
                                  .background = {0.1f, 0.2f, 0.3f, 1},
                                  .material_count = 1,
                                  .mesh_count = 1,

@@ -5,6 +5,7 @@
 #include "json_check.h"
 
 #include "scene/looks.h"
+#include "scene/picture.h"
 
 /* A polygon with "look": LOOK and the members `rest`. */
 static inline struct reading *read_look(const char *look, const char *rest)

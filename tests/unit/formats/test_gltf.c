@@ -1,4 +1,5 @@
 /* Tests the scenes of glTF files: numbers of accessors, nodes, materials and warnings. */
+#include "scene/picture.h"
 #include "support/tests.h"
 #include "unit/common/input_check.h"
 #include "unit/common/kept_check.h"
@@ -384,7 +385,7 @@ TEST(the_query_is_over_the_file)
     reading_free(reading);
     reading = read_over((struct zr_request){.look = "textbook"}, FILE_OF(NODE "," MATERIALS "," THREE_PRIMITIVES));
     assert_read(reading);
-    assert_false(reading->scene->picture.is_linear);
+    assert_false(reading->scene->picture->is_linear);
     assert_int_equal(material_of(reading, 0)->shading, ZR_SHADING_FLAT);
     assert_int_equal(material_of(reading, 1)->shading, ZR_SHADING_UNLIT);
     reading_free(reading);

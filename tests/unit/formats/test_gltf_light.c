@@ -1,4 +1,5 @@
 /* Tests the lights of glTF files: units, places, and the parameter that uses them. */
+#include "scene/picture.h"
 #include "support/tests.h"
 #include "unit/common/input_check.h"
 
@@ -42,7 +43,7 @@ TEST(the_lights_of_the_file_replace_those_of_the_look)
     const struct zr_light *lights = scene->lights;
     assert_int_equal(scene->warning_count, 0);
     assert_int_equal(scene->light_count, 4);
-    assert_int_equal(scene->picture.environment.name, ZR_ENVIRONMENT_NONE);
+    assert_int_equal(scene->picture->environment.name, ZR_ENVIRONMENT_NONE);
     assert_int_equal(lights[0].type, ZR_LIGHT_DIRECTIONAL);
     assert_vector(lights[0].color, 1, 0.5f, 0); /* pi lux make white white */
     assert_vector(lights[0].direction, 0, -1, 0);

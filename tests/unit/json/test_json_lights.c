@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "scene/picture.h"
 #include "support/tests.h"
 #include "unit/common/json_check.h"
 
@@ -86,7 +87,7 @@ TEST(lamps_have_places_ranges_and_cones)
     assert_read(reading);
     const struct zr_light *lights = reading->scene->lights;
     assert_true(lights[0].type == ZR_LIGHT_POINT && lights[0].position.z == 3 && lights[0].color.x == 1e12f &&
-                lights[0].range == 0 && !reading->scene->picture.is_linear);
+                lights[0].range == 0 && !reading->scene->picture->is_linear);
     assert_true(lights[1].type == ZR_LIGHT_SPOT && lights[1].camera_frame && lights[1].range == 5 &&
                 lights[1].direction.z == -1 && lights[1].outer_degrees == 45);
     assert_true(fabs(lights[1].inner_degrees - 28.64788975654116) < 1e-12);

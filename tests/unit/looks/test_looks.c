@@ -1,4 +1,5 @@
 /* Looks: what rows must have, and that what a scene says of its picture goes before them, key by key. */
+#include "scene/parsed_picture.h"
 #include "unit/common/looks_check.h"
 
 #include "input/scene/json_objects.h"
@@ -19,7 +20,7 @@ static bool is_color(zr_vec3 v)
 
 static void assert_good_lamps(const struct zr_look *look)
 {
-    bool classic = false, pbr = look->picture.environment.name != ZR_ENVIRONMENT_NONE;
+    bool classic = false, pbr = look->picture->environment.name != ZR_ENVIRONMENT_NONE;
     for (uint32_t i = 0; i < look->light_count; i++) {
         const struct zr_light *light = &look->lights[i];
         assert_true(is_unit(light->direction));
@@ -35,7 +36,7 @@ TEST(each_row_has_what_rows_must_have)
 {
     for (int i = 0; i < zr_look_count; i++) {
         const struct zr_look *look = &zr_looks[i];
-        const struct zr_picture *p = &look->picture;
+        const struct zr_picture *p = look->picture;
         print_message("%s@%u\n", look->name, look->version);
         assert_true(look->version >= 1 && strlen(look->name) > 0);
         assert_true(p->side == 1 || p->side == 2 || p->side == 4 || p->side == ZR_SAMPLE_SIDE_MAX);
@@ -60,7 +61,7 @@ TEST(each_row_has_what_rows_must_have)
 TEST(effects_are_of_linear_light_only)
 {
     for (int i = 0; i < zr_look_count; i++) {
-        const struct zr_picture *p = &zr_looks[i].picture;
+        const struct zr_picture *p = zr_looks[i].picture;
         if (p->is_linear) continue;
         assert_ptr_equal(&zr_looks[i], zr_look_textbook());
         assert_false(p->has_gradient || p->has_ground || p->occlusion.is_on || p->edges.is_on || p->dithers);
@@ -74,7 +75,7 @@ TEST(lamps_of_an_environment_are_found_in_a_row_that_has_it)
     for (int name = ZR_ENVIRONMENT_NONE; name < ZR_ENVIRONMENT_COUNT; name++) {
         int rows = 0;
         for (int i = 0; i < zr_look_count; i++)
-            rows += (int)zr_looks[i].picture.environment.name == name;
+            rows += (int)zr_looks[i].picture->environment.name == name;
         assert_true(rows > 0);
     }
 }
@@ -108,7 +109,7 @@ TEST(every_look_dresses_a_scene)
         const struct zr_scene *scene = reading->scene;
         const struct zr_material *material = &scene->materials[0];
         assert_ptr_equal(scene->look, look);
-        assert_true(is_same_picture(&scene->picture, &look->picture));
+        assert_true(is_same_picture(scene->picture, look->picture));
         assert_ptr_equal(scene->lights, look->lights);
         assert_int_equal(scene->light_count, look->light_count);
         assert_true(zr_vec4_equal(scene->background, look->background) && scene->ambient.x == look->ambient.x);
@@ -130,8 +131,8 @@ TEST(a_scene_without_a_look_is_the_textbooks)
     struct reading *reading = read_rest("");
     assert_read(reading);
     assert_ptr_equal(reading->scene->look, zr_look_textbook());
-    assert_false(reading->scene->picture.is_linear);
-    assert_int_equal(reading->scene->picture.side, 1);
+    assert_false(reading->scene->picture->is_linear);
+    assert_int_equal(reading->scene->picture->side, 1);
     reading_free(reading);
 }
 
@@ -154,14 +155,14 @@ static void expect_picture(const char *look, const char *rest, struct zr_picture
             snprintf(text, sizeof text, "\"look\": \"%s\", %s", look, rest);
         struct reading *reading = read_rest(text);
         assert_read(reading);
-        if (!is_same_picture(&reading->scene->picture, &wanted)) fail_msg("%s", text);
+        if (!is_same_picture(reading->scene->picture, &wanted)) fail_msg("%s", text);
         reading_free(reading);
     }
 }
 
 #define EXPECT(look, rest, ...)                                                                                        \
     do {                                                                                                               \
-        struct zr_picture w = zr_look_find(look)->picture;                                                             \
+        struct zr_picture w = *zr_look_find(look)->picture;                                                            \
         __VA_ARGS__;                                                                                                   \
         expect_picture(look, rest, w);                                                                                 \
     } while (0)
@@ -232,11 +233,11 @@ TEST(keys_of_environments_go_before_the_look_one_by_one)
 TEST(backgrounds_are_colours_or_gradients)
 {
     struct reading *reading = read_look("studio", "\"background\": \"#0000\"");
-    assert_true(reading->scene->background.w == 0 && !reading->scene->picture.has_gradient);
+    assert_true(reading->scene->background.w == 0 && !reading->scene->picture->has_gradient);
     reading_free(reading);
     reading = read_look("textbook", "\"background\": {\"top\": \"red\", \"bottom\": \"blue\"}");
-    assert_true(reading->scene->background.w == 1 && reading->scene->picture.has_gradient);
-    assert_true(reading->scene->picture.is_linear);
+    assert_true(reading->scene->background.w == 1 && reading->scene->picture->has_gradient);
+    assert_true(reading->scene->picture->is_linear);
     reading_free(reading);
 }
 
@@ -254,11 +255,10 @@ TEST(each_key_that_is_read_into_the_picture_has_a_row)
 {
     static const struct zr_json_object *const objects[] = {&zr_json_object_gradient, &zr_json_object_environment,
                                                            &zr_json_object_occlusion, &zr_json_object_edges};
-    const size_t begin = offsetof(struct zr_parsed_scene, picture.picture), end = begin + sizeof(struct zr_picture);
     int found = 0;
     for (size_t i = 0; i < zr_json_object_scene.count; i++) {
         const struct zr_json_field *field = &zr_json_object_scene.fields[i];
-        if (!field->read || field->offset < begin || field->offset >= end) continue;
+        if (field->through != offsetof(struct zr_parsed_scene, picture)) continue;
         if (!is_picture_key("", field->key)) fail_msg("%s has no row in scene/picture_keys.h", field->key);
         found++;
     }

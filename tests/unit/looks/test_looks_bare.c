@@ -20,7 +20,7 @@ TEST(bare_meshes_have_the_look_studio)
     struct reading *reading = read_mesh((struct zr_request){.look = NULL});
     const struct zr_scene *scene = reading->scene;
     assert_ptr_equal(scene->look, studio);
-    assert_true(is_same_picture(&scene->picture, &studio->picture));
+    assert_true(is_same_picture(scene->picture, studio->picture));
     assert_ptr_equal(scene->lights, studio->lights);
     assert_true(scene->views[0].width == 640 && scene->views[0].height == 480);
     assert_true(scene->views[0].azimuth_degrees == 35 && scene->views[0].elevation_degrees == 28);
@@ -38,7 +38,7 @@ TEST(every_look_dresses_a_bare_mesh)
         snprintf(pinned, sizeof pinned, "%s@%u", zr_looks[i].name, zr_looks[i].version);
         struct reading *reading = read_mesh((struct zr_request){.look = pinned});
         assert_ptr_equal(reading->scene->look, &zr_looks[i]);
-        assert_true(is_same_picture(&reading->scene->picture, &zr_looks[i].picture));
+        assert_true(is_same_picture(reading->scene->picture, zr_looks[i].picture));
         assert_true(zr_vec4_equal(reading->scene->background, zr_looks[i].background));
         assert_int_equal(reading->scene->views[0].pose, zr_looks[i].view.pose);
         reading_free(reading);
@@ -54,12 +54,12 @@ TEST(every_parameter_goes_before_the_look)
                                                             .color = "red",
                                                             .background = "transparent"});
     const struct zr_scene *scene = reading->scene;
-    assert_int_equal(scene->picture.side, 8);
+    assert_int_equal(scene->picture->side, 8);
     assert_true(scene->views[0].pose == ZR_POSE_PRESET && scene->views[0].preset == ZR_PRESET_TOP);
     assert_true(scene->views[0].projection == ZR_PROJECTION_ORTHOGRAPHIC && scene->views[0].yfov_radians == 0);
     assert_true(scene->materials[0].shading == ZR_SHADING_PHONG && scene->materials[0].base_color.y == 0);
-    assert_true(scene->background.w == 0 && !scene->picture.has_gradient && scene->picture.has_ground);
-    assert_true(scene->picture.is_linear);
+    assert_true(scene->background.w == 0 && !scene->picture->has_gradient && scene->picture->has_ground);
+    assert_true(scene->picture->is_linear);
     reading_free(reading);
     reading = read_mesh((struct zr_request){.azimuth = "-35", .width = "300", .height = "400"});
     assert_true(reading->scene->views[0].azimuth_degrees == -35 && reading->scene->views[0].elevation_degrees == 28);
@@ -70,14 +70,14 @@ TEST(every_parameter_goes_before_the_look)
     assert_int_equal(reading->scene->views[0].projection, ZR_PROJECTION_PERSPECTIVE);
     reading_free(reading);
     reading = read_mesh((struct zr_request){.look = "textbook", .shading = "pbr"});
-    assert_true(reading->scene->picture.is_linear && reading->scene->light_count == 2);
+    assert_true(reading->scene->picture->is_linear && reading->scene->light_count == 2);
     reading_free(reading);
 }
 
 TEST(samples_of_a_query_fit_the_window)
 {
     struct reading *reading = read_mesh((struct zr_request){.width = "8192", .height = "8"});
-    assert_int_equal(reading->scene->picture.side, 2);
+    assert_int_equal(reading->scene->picture->side, 2);
     assert_int_equal(reading->scene->warning_count, 1);
     reading_free(reading);
     const struct zr_request request = {.format = ZR_FORMAT_OBJ, .width = "8192", .height = "8", .samples = "16"};
@@ -106,7 +106,7 @@ TEST(z_is_up_in_stl_unless_told_otherwise)
         assert_read(reading);
         const zr_vec4 up = zr_mat4_apply(&reading->scene->instances[0].object_to_world, (zr_vec4){0, 0, 1, 0});
         assert_true(up.y == (cases[i].z_is_up ? 1 : 0));
-        assert_false(reading->scene->picture.z_is_up); /* the world's y is up: the mesh is turned */
+        assert_false(reading->scene->picture->z_is_up); /* the world's y is up: the mesh is turned */
         reading_free(reading);
     }
 }

@@ -28,7 +28,7 @@ TEST(lamps_of_a_scene_replace_those_of_the_look_and_its_environment)
         struct reading *reading = read_look("studio@1", cases[i].rest);
         assert_int_equal(reading->scene->light_count, cases[i].lights);
         assert_true(reading->scene->ambient.y == cases[i].ambient);
-        assert_int_equal(reading->scene->picture.environment.name, cases[i].environment);
+        assert_int_equal(reading->scene->picture->environment.name, cases[i].environment);
         reading_free(reading);
     }
 }
@@ -84,7 +84,7 @@ TEST(lights_are_of_two_types)
     assert_true(lights[1].direction.y == 1 && lights[1].color.x == 1 && lights[1].ground.x == 0);
     assert_true(lights[2].direction.x == 3 * (1.0f / 5) && lights[2].lit == ZR_LIT_ALL);
     assert_true(lights[3].type == ZR_LIGHT_DIRECTIONAL && lights[3].has_shadows && lights[3].direction.y == -1);
-    assert_true(reading->scene->picture.is_linear);
+    assert_true(reading->scene->picture->is_linear);
     reading_free(reading);
 }
 
@@ -240,13 +240,13 @@ TEST(keys_that_need_linear_light_switch_it_on)
     for (int i = 0; i < LINEAR; i++) {
         struct reading *reading = read_rest(linear[i].rest);
         assert_read(reading);
-        assert_true(reading->scene->picture.is_linear);
+        assert_true(reading->scene->picture->is_linear);
         reading_free(reading);
     }
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
         struct reading *reading = read_rest(others[i]);
         assert_read(reading);
-        assert_false(reading->scene->picture.is_linear);
+        assert_false(reading->scene->picture->is_linear);
         reading_free(reading);
     }
 }
@@ -268,7 +268,7 @@ TEST(samples_fit_the_window)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reading *reading = read_rest(cases[i].rest);
         assert_read(reading);
-        assert_int_equal(reading->scene->picture.side, cases[i].side);
+        assert_int_equal(reading->scene->picture->side, cases[i].side);
         const bool is_less = i < 3 && cases[i].side < 4;
         assert_int_equal(reading->scene->warning_count, is_less);
         if (is_less)

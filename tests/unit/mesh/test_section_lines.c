@@ -23,14 +23,14 @@ static void begin(enum solid solid, bool is_from_mesh)
     view->up = (zr_vec3){0.1f, 1, 0};
     view->projection = ZR_PROJECTION_PERSPECTIVE;
     view->yfov_radians = 0.6f;
-    test.scene.picture.is_linear = true;
-    test.scene.picture.side = 2;
-    test.scene.picture.edges = (struct zr_edges){.is_on = true,
-                                                 .is_from_mesh = is_from_mesh,
-                                                 .width = 1.5f,
-                                                 .crease_degrees = 30,
-                                                 .silhouette_opacity = 1,
-                                                 .crease_opacity = 1};
+    test.picture.is_linear = true;
+    test.picture.side = 2;
+    test.picture.edges = (struct zr_edges){.is_on = true,
+                                           .is_from_mesh = is_from_mesh,
+                                           .width = 1.5f,
+                                           .crease_degrees = 30,
+                                           .silhouette_opacity = 1,
+                                           .crease_opacity = 1};
 }
 
 static int red_at(const struct zr_frame *frame, uint32_t at)

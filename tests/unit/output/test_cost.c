@@ -19,7 +19,7 @@ static void half_a_window(void)
     scene_of_triangles(&test, WIDTH, HEIGHT, half, 2);
     test.scene.views[0].outputs = &color;
     test.scene.views[0].output_count = 1;
-    test.scene.picture = (struct zr_picture){.side = 1, .line_width = 1, .crease_degrees = 180, .exposure = 1};
+    test.picture = (struct zr_picture){.side = 1, .line_width = 1, .crease_degrees = 180, .exposure = 1};
 }
 
 static double count(enum zr_cost_kind kind)
@@ -114,10 +114,10 @@ TEST(samples_lamps_shadows_and_effects_are_counted)
     test.material.shading = ZR_SHADING_PBR;
     test.scene.lights = lights;
     test.scene.light_count = 3;
-    test.scene.picture.is_linear = true;
-    test.scene.picture.side = 4;
-    test.scene.picture.occlusion.is_on = true;
-    test.scene.picture.edges = (struct zr_edges){.is_on = true, .width = 2};
+    test.picture.is_linear = true;
+    test.picture.side = 4;
+    test.picture.occlusion.is_on = true;
+    test.picture.edges = (struct zr_edges){.is_on = true, .width = 2};
     const double samples = 16.0 * PIXELS / 2;
     const struct zr_cost cost = scene_cost(&test.scene);
     assert_near(cost.counts[ZR_COST_FRAGMENT], samples + PIXELS / 2); /* with a pass for occlusion */
@@ -136,11 +136,11 @@ TEST(lines_of_the_mesh_are_counted)
 {
     half_a_window();
     test.material.shading = ZR_SHADING_PBR;
-    test.scene.picture.is_linear = true;
-    test.scene.picture.side = 4;
-    test.scene.picture.edges = (struct zr_edges){.is_on = true, .width = 2};
+    test.picture.is_linear = true;
+    test.picture.side = 4;
+    test.picture.edges = (struct zr_edges){.is_on = true, .width = 2};
     const struct zr_cost of_samples = scene_cost(&test.scene);
-    test.scene.picture.edges.is_from_mesh = true;
+    test.picture.edges.is_from_mesh = true;
     const struct zr_cost of_mesh = scene_cost(&test.scene);
     assert_near(of_mesh.counts[ZR_COST_DRAWN_TRIANGLE], of_mesh.counts[ZR_COST_NORMAL]);
     assert_near(of_mesh.counts[ZR_COST_DRAWN_PIXEL], PIXELS / 2);
@@ -151,10 +151,10 @@ TEST(lines_of_the_mesh_are_counted)
 TEST(triangles_of_one_cell_are_counted_in_pairs)
 {
     half_a_window();
-    test.scene.picture.is_linear = true;
-    test.scene.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
+    test.picture.is_linear = true;
+    test.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
     assert_near(count(ZR_COST_DRAWN_PAIR), 4 / (PIXELS / 4 / 64.0 + 1));
-    test.scene.picture.edges.is_from_mesh = false;
+    test.picture.edges.is_from_mesh = false;
     assert_true(count(ZR_COST_DRAWN_PAIR) == 0);
 }
 
@@ -163,9 +163,9 @@ TEST(a_file_of_lines_is_counted_without_samples)
     static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_SVG},
                                                {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG}};
     half_a_window();
-    test.scene.picture.is_linear = true;
-    test.scene.picture.side = 4;
-    test.scene.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
+    test.picture.is_linear = true;
+    test.picture.side = 4;
+    test.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
     test.scene.views[0].outputs = outputs;
     const struct zr_cost of_file = scene_cost(&test.scene);
     assert_near(of_file.counts[ZR_COST_DRAWN_TRIANGLE], 2);
@@ -334,10 +334,10 @@ TEST(predicted_memory_is_held)
         test.scene.views[0].width = 256;
         test.scene.views[0].height = 256;
         test.scene.algorithm = i & 1 ? ZR_ALGORITHM_SCANLINE : ZR_ALGORITHM_HALFSPACE;
-        test.scene.picture.side = i & 2 ? 2 : 1;
-        test.scene.picture.is_linear = i & 4;
-        test.scene.picture.occlusion = (struct zr_occlusion){i & 4, 0.2f, 2};
-        test.scene.picture.edges = (struct zr_edges){
+        test.picture.side = i & 2 ? 2 : 1;
+        test.picture.is_linear = i & 4;
+        test.picture.occlusion = (struct zr_occlusion){i & 4, 0.2f, 2};
+        test.picture.edges = (struct zr_edges){
             .is_on = i & 4, .width = 1.5f, .crease_degrees = 30, .silhouette_opacity = 1, .crease_opacity = 1};
         if (i >= 8) {
             scene_of_triangles(&test, 256, 256, many, i >= 16 ? TEST_TRIANGLES_MAX : LAYERS);
@@ -363,9 +363,9 @@ TEST(memory_of_large_windows_with_lines_of_the_mesh_is_nearly_all_predicted)
         half_a_window();
         test.scene.views[0].width = widths[i];
         test.scene.views[0].height = 1024;
-        test.scene.picture.is_linear = true;
-        test.scene.picture.occlusion = (struct zr_occlusion){true, 0.2f, 2};
-        test.scene.picture.edges = (struct zr_edges){
+        test.picture.is_linear = true;
+        test.picture.occlusion = (struct zr_occlusion){true, 0.2f, 2};
+        test.picture.edges = (struct zr_edges){
             .is_on = true, .is_from_mesh = true, .width = 1, .crease_degrees = 30, .silhouette_opacity = 1};
         const double predicted = scene_cost(&test.scene).window_bytes;
         zr_arena_init(&arena, (size_t)1 << 30);

@@ -303,7 +303,7 @@ TEST_AROUND(what_no_pixel_centre_is_on_is_not_blank, open_arena, close_arena)
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 2);
     for (uint32_t side = 1; side <= 2; side++) {
-        test.scene.picture.side = side;
+        test.picture.side = side;
         cJSON *info = info_beside_color(&test);
         const cJSON *picture = cJSON_GetObjectItem(info, "picture");
         assert_true(cJSON_IsTrue(cJSON_GetObjectItem(picture, "blank")) == (side == 1));

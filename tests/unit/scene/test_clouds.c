@@ -4,6 +4,7 @@
 #include "input/query/point_spacing.h"
 #include "render_request.h"
 #include "scene/looks.h"
+#include "scene/parsed_picture.h"
 #include "support/random.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
@@ -13,6 +14,7 @@ TEST_ARENA((size_t)1 << 29)
 /* A scene of one mesh of points, in its own axes. */
 struct cloud {
     struct zr_scene scene;
+    struct zr_parsed_picture picture;
     struct zr_scene_builder builder;
     struct zr_instance instance;
     struct zr_material material;
@@ -39,7 +41,8 @@ static void open_cloud(struct cloud *cloud, uint32_t count)
                                      .meshes = &cloud->mesh,
                                      .instance_count = 1,
                                      .instances = &cloud->instance};
-    cloud->scene.picture = cloud->scene.look->picture;
+    cloud->picture.merged = *cloud->scene.look->picture;
+    cloud->scene.picture = &cloud->picture.merged;
     cloud->scene.views[0] = (struct zr_view){.width = 640, .height = 480};
     cloud->builder = (struct zr_scene_builder){
         .arena = &arena, .scene = &cloud->scene, .meshes = &cloud->mesh, .materials = &cloud->material};
@@ -113,26 +116,27 @@ TEST_AROUND(clouds_have_no_edges_but_their_ink, open_arena, close_arena)
     static const zr_vec4 colors[4];
     struct cloud cloud;
     struct zr_request request = {.size = 0};
-    struct zr_query query = {.request = &request, .given = {.scene = &cloud.scene, .builder = &cloud.builder}};
+    struct zr_query query = {.request = &request,
+                             .given = {.scene = &cloud.scene, .picture = &cloud.picture, .builder = &cloud.builder}};
     open_plane(&cloud, 2, 1);
-    assert_true(cloud.scene.picture.edges.is_on);
-    assert_true(zr_cloud_take_edges(&query.given) && !cloud.scene.picture.edges.is_on);
+    assert_true(cloud.scene.picture->edges.is_on);
+    assert_true(zr_cloud_take_edges(&query.given) && !cloud.scene.picture->edges.is_on);
     assert_false(zr_cloud_take_edges(&query.given)); /* none to take */
-    cloud.scene.picture.edges.is_on = true;
+    cloud.picture.merged.edges.is_on = true;
     cloud.mesh.line_count = 1;
     assert_false(zr_cloud_take_edges(&query.given));
     cloud.mesh.line_count = 0;
-    zr_picture_give(&query.given.picture, ZR_PICTURE_EDGES);
+    zr_picture_give(query.given.picture, ZR_PICTURE_EDGES);
     assert_false(zr_cloud_take_edges(&query.given));
     zr_cloud_draw_in_ink(&query);
-    const zr_vec3 ink = cloud.scene.picture.edges.color;
+    const zr_vec3 ink = cloud.scene.picture->edges.color;
     assert_true(zr_vec4_equal(cloud.material.base_color, (zr_vec4){ink.x, ink.y, ink.z, 1}));
     const struct zr_look *old = cloud.scene.look, *with_cloud = zr_look_find("technical@2");
     cloud.scene.look = with_cloud; /* its ink hides what lies in front; another ink that is given is kept */
-    cloud.scene.picture.edges.color = with_cloud->picture.edges.color;
+    cloud.picture.merged.edges.color = with_cloud->picture->edges.color;
     zr_cloud_draw_in_ink(&query);
     assert_true(with_cloud->cloud.x > 0.3f && zr_vec4_equal(cloud.material.base_color, with_cloud->cloud));
-    cloud.scene.picture.edges.color = (zr_vec3){1, 0, 0};
+    cloud.picture.merged.edges.color = (zr_vec3){1, 0, 0};
     zr_cloud_draw_in_ink(&query);
     assert_true(zr_vec4_equal(cloud.material.base_color, (zr_vec4){1, 0, 0, 1}));
     cloud.scene.look = old;
@@ -149,7 +153,8 @@ TEST_AROUND(lines_alone_have_the_looks_colour_of_lines, open_arena, close_arena)
 {
     struct cloud cloud;
     struct zr_request request = {.size = 0};
-    struct zr_query query = {.request = &request, .given = {.scene = &cloud.scene, .builder = &cloud.builder}};
+    struct zr_query query = {.request = &request,
+                             .given = {.scene = &cloud.scene, .picture = &cloud.picture, .builder = &cloud.builder}};
     open_plane(&cloud, 2, 1);
     const zr_vec4 own = cloud.material.base_color;
     cloud.mesh.line_count = 1;

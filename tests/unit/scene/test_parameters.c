@@ -389,7 +389,7 @@ TEST(bare_mesh_is_a_scene_with_the_keys_of_the_query)
         assert_read(scene);
         const struct zr_scene *a = bare->scene, *b = scene->scene;
         print_message("%s\n", cases[i].keys);
-        assert_true(is_same_picture(&a->picture, &b->picture));
+        assert_true(is_same_picture(a->picture, b->picture));
         assert_true(zr_vec4_equal(a->background, b->background) && a->algorithm == b->algorithm);
         assert_true(is_same_rgb(a->ambient, b->ambient));
         assert_true(is_same_section(&a->sections, &b->sections));

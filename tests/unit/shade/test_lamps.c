@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene/picture.h"
 #include "shade/lights/light.h"
 #include "support/tests.h"
 #include "unit/common/lit_samples.h"
@@ -23,7 +24,9 @@ static void make_camera(float scale)
 
 static struct zr_lights make_lighting(struct zr_arena *arena, uint32_t count)
 {
-    const struct zr_scene scene = {.lights = lights, .light_count = count, .ambient = {0.01f, 0.02f, 0.03f}};
+    static const struct zr_picture picture = {.side = 1};
+    const struct zr_scene scene = {
+        .picture = &picture, .lights = lights, .light_count = count, .ambient = {0.01f, 0.02f, 0.03f}};
     return zr_lights_make(arena, &scene, &camera);
 }
 
