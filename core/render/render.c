@@ -85,16 +85,27 @@ static enum zr_status make_lines(const struct zr_run *run, const struct zr_scene
     return zr_mesh_lines_keep(run, shown, frame);
 }
 
-/* Only masks and the lines of a file stay in `arena`. */
+/* A pass that not every frame has. Masks and the lines of a file stay in `arena`; passes that write pixels of the frame
+ * work in `scratch` alone. */
+struct optional_pass {
+    bool wanted, stays;
+    enum zr_status (*run)(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame);
+};
+
 static enum zr_status draw_frame(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
-    const struct zr_run inner = zr_run_in(run, run->scratch);
     const bool has_picture = frame->color && zr_picture_has_own_passes(scene->picture);
+    const struct optional_pass passes[] = {
+        {!has_picture, false, draw_channels},
+        {has_picture, false, draw_picture_and_channels},
+        {zr_layer_channels_are_wanted(frame), false, zr_layer_channels_draw},
+        {zr_view_has_masks(frame->view), true, zr_instance_masks_find},
+        {zr_view_encodes(frame->view, ZR_ENCODING_SVG), true, make_lines},
+    };
+    const struct zr_run inner = zr_run_in(run, run->scratch);
     enum zr_status status = ZR_OK;
-    STAGE(has_picture ? draw_picture_and_channels(&inner, scene, frame) : draw_channels(&inner, scene, frame));
-    if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(&inner, scene, frame));
-    if (zr_view_has_masks(frame->view)) STAGE(zr_instance_masks_find(run, scene, frame));
-    if (zr_view_encodes(frame->view, ZR_ENCODING_SVG)) STAGE(make_lines(run, scene, frame));
+    for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++)
+        if (passes[i].wanted) STAGE(passes[i].run(passes[i].stays ? run : &inner, scene, frame));
     return status;
 }
 
@@ -102,7 +113,7 @@ static enum zr_status draw_frame(const struct zr_run *run, const struct zr_scene
 static enum zr_status list_fragments(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
     const struct zr_output *pixel = zr_view_output(frame->view, ZR_CHANNEL_FRAGMENTS);
-    return pixel ? zr_pixel_fragments_find(run, scene, pixel->x, pixel->y, frame) : ZR_OK;
+    return zr_pixel_fragments_find(run, scene, pixel->x, pixel->y, frame);
 }
 
 /* Makes a frame without channels. */
@@ -118,15 +129,15 @@ static enum zr_status draw_nothing(const struct zr_run *run, const struct zr_sce
 static enum zr_status draw(const struct zr_run *run, const struct zr_scene *scene,
                            const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {
-    const struct zr_scene *drawn;
+    const struct zr_scene *drawn = scene;
     enum zr_status status = ZR_OK;
     STAGE(zr_frame_make(run->arena, resolved, frame));
-    STAGE(zr_base_place(run, scene, frame->view, &frame->camera, &frame->base));
-    STAGE(zr_render_sections(run, scene, resolved, frame, &drawn));
+    if (scene->base) STAGE(zr_base_place(run, scene, frame->view, &frame->camera, &frame->base));
+    if (scene->sections.count > 0) STAGE(zr_render_sections(run, scene, resolved, frame, &drawn));
     STAGE(draw_frame(run, drawn, frame));
-    if (status == ZR_OK) zr_color_bar_draw(drawn, frame);
-    STAGE(list_fragments(run, drawn, frame));
-    STAGE(zr_render_sections_restore(run->arena, run->cancel, frame));
+    if (status == ZR_OK && drawn->color_bar.is_on) zr_color_bar_draw(drawn, frame);
+    if (zr_view_wants(frame->view, ZR_CHANNEL_FRAGMENTS)) STAGE(list_fragments(run, drawn, frame));
+    if (frame->sections) STAGE(zr_render_sections_restore(run->arena, run->cancel, frame));
     if (zr_view_wants(frame->view, ZR_CHANNEL_TRACE)) STAGE(zr_trace_make(run, scene, frame));
     return status;
 }

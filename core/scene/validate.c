@@ -70,7 +70,6 @@ static void check_lamps(const struct zr_scene *scene, struct zr_error *error)
 static void check_base(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     const struct zr_base *base = scene->base;
-    if (!base) return;
     if (scene->sections.count > 0)
         zr_error_add(error, ZR_BAD_SCENE, "/sections", "a scene with a base cannot be cut open: the base stays whole");
     bool color = false, depth = false, face_id = false;
@@ -90,10 +89,9 @@ static void check_base(const struct zr_scene *scene, const struct zr_view *view,
         zr_error_add(error, ZR_BAD_SCENE, "/base/faceId", "missing: the outputs faceId and info need it");
 }
 
-static void check_layers(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+static void check_layers(const struct zr_view *view, struct zr_error *error)
 {
     static const enum zr_channel channels[] = {ZR_CHANNEL_LAYERS, ZR_CHANNEL_THICKNESS, ZR_CHANNEL_FRAGMENTS};
-    if (scene->algorithm != ZR_ALGORITHM_PAINTER) return;
     for (size_t i = 0; i < sizeof channels / sizeof channels[0]; i++)
         if (zr_view_wants(view, channels[i]))
             zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
@@ -105,7 +103,6 @@ static void check_layers(const struct zr_scene *scene, const struct zr_view *vie
 static void check_visibility(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     const char *what = view->has_visibility ? "visibility" : "the channel masks";
-    if (!zr_view_has_masks(view)) return;
     if (view->has_visibility && !zr_view_wants(view, ZR_CHANNEL_INFO) && !zr_view_wants(view, ZR_CHANNEL_MASKS))
         zr_error_add(error, ZR_BAD_SCENE, "/visibility", "no output shows it: add the channel info or masks");
     if (view->has_visibility && scene->is_undrawn)
@@ -125,7 +122,6 @@ static void check_flow(const struct zr_scene *scene, const struct zr_view *view,
 {
     char pointer[48];
     const struct zr_flow *flow = scene->flow;
-    if (!flow || !zr_view_wants(view, ZR_CHANNEL_FLOW)) return;
     snprintf(pointer, sizeof pointer, "/outputs/%" PRIu32 "%s", flow->output, flow->matrices ? "/to/poses" : "");
     if (flow->matrices && scene->parts.explode > 0.0)
         zr_error_add(error, ZR_BAD_SCENE, pointer, "poses of a flow cannot be combined with explode");
@@ -143,10 +139,9 @@ static bool has_faces(const struct zr_scene *scene)
 }
 
 /* An SVG has lines of the mesh, and nothing else. */
-static void check_svg(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+static void check_svg(const struct zr_scene *scene, struct zr_error *error)
 {
     const struct zr_edges *edges = &scene->picture->edges;
-    if (!zr_view_encodes(view, ZR_ENCODING_SVG)) return;
     if (scene->base)
         zr_error_add(error, ZR_BAD_SCENE, "/base",
                      "the encoding svg has only the lines of the mesh, so it cannot be combined with a base");
@@ -169,7 +164,6 @@ static void check_trace(const struct zr_scene *scene, const struct zr_view *view
     static const char pointers[2][16] = {"/window/width", "/window/height"};
     const uint32_t sides[] = {view->width, view->height};
     char pointer[24];
-    if (!zr_view_wants(view, ZR_CHANNEL_TRACE)) return;
     snprintf(pointer, sizeof pointer, "/outputs/%u",
              (unsigned)(zr_view_output(view, ZR_CHANNEL_TRACE) - view->outputs));
     for (int i = 0; i < 2; i++)
@@ -193,7 +187,6 @@ static void check_trace(const struct zr_scene *scene, const struct zr_view *view
 static void check_lens(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     static const char pointer[] = "/view/distortion";
-    if (view->lens.model == ZR_LENS_NONE) return;
     if (view->projection != ZR_PROJECTION_PERSPECTIVE && view->projection != ZR_PROJECTION_INTRINSICS)
         zr_error_add(error, ZR_BAD_SCENE, pointer,
                      "belongs to a pinhole: give intrinsics, K or perspective as the projection");
@@ -229,9 +222,9 @@ static void check_formats(const struct zr_scene *scene, const struct zr_view *vi
 }
 
 /* A request without drawing has only facts as outputs. */
-static void check_undrawn(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+static void check_undrawn(const struct zr_view *view, struct zr_error *error)
 {
-    for (uint32_t i = 0; scene->is_undrawn && i < view->output_count; i++)
+    for (uint32_t i = 0; i < view->output_count; i++)
         if (view->outputs[i].channel != ZR_CHANNEL_INFO)
             zr_error_add(error, ZR_BAD_SCENE, "/render",
                          "false draws nothing, so the channel %s has no values; info is the one channel that needs no "
@@ -254,8 +247,7 @@ static void check_pixels(const struct zr_view *view, struct zr_error *error)
 
 static void check_xrays(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
-    if (scene->algorithm == ZR_ALGORITHM_PAINTER && zr_view_wants(view, ZR_CHANNEL_COLOR) &&
-        zr_any_is_xray(scene->materials, scene->material_count))
+    if (zr_view_wants(view, ZR_CHANNEL_COLOR) && zr_any_is_xray(scene->materials, scene->material_count))
         zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
                      "painter keeps no fragments, which the shading xray needs; the other algorithms do");
 }
@@ -270,25 +262,31 @@ static void check_see_through(const struct zr_scene *scene, struct zr_error *err
                      "painter keeps no fragments, which the alphaMode MASK or BLEND needs; the other algorithms do");
 }
 
+/* The checks of what most scenes do not have, and when each is needed. */
+static void check_options(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    const bool is_painter = scene->algorithm == ZR_ALGORITHM_PAINTER;
+    if (scene->light_count > 0) check_lamps(scene, error);
+    if (scene->base) check_base(scene, view, error);
+    if (scene->base || is_painter) check_see_through(scene, error);
+    if (is_painter) check_xrays(scene, view, error);
+    if (is_painter) check_layers(view, error);
+    if (zr_view_has_masks(view)) check_visibility(scene, view, error);
+    if (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS)) check_pixels(view, error);
+    if (scene->flow && zr_view_wants(view, ZR_CHANNEL_FLOW)) check_flow(scene, view, error);
+    if (zr_view_encodes(view, ZR_ENCODING_SVG)) check_svg(scene, error);
+    if (view->lens.model != ZR_LENS_NONE) check_lens(scene, view, error);
+    if (zr_view_wants(view, ZR_CHANNEL_TRACE)) check_trace(scene, view, error);
+    check_formats(scene, view, error);
+    if (scene->is_undrawn) check_undrawn(view, error);
+}
+
 enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error)
 {
-    const struct zr_view *view = &scene->views[0];
     size_t before = error->count;
-    check_view(view, limits, error);
+    check_view(&scene->views[0], limits, error);
     check_geometry(scene, error);
-    check_lamps(scene, error);
-    check_base(scene, view, error);
-    check_see_through(scene, error);
-    check_xrays(scene, view, error);
-    check_layers(scene, view, error);
-    check_visibility(scene, view, error);
-    check_pixels(view, error);
-    check_flow(scene, view, error);
-    check_svg(scene, view, error);
-    check_lens(scene, view, error);
-    check_trace(scene, view, error);
-    check_formats(scene, view, error);
-    check_undrawn(scene, view, error);
+    check_options(scene, &scene->views[0], error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;
 }
 

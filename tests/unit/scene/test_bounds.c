@@ -6,6 +6,7 @@
 #include "base/run.h"
 #include "scene/camera/camera_parts.h"
 #include "scene/camera/resolved_view.h"
+#include "scene/looks.h"
 #include "support/isas.h"
 #include "support/pictures/look.h"
 #include "support/random.h"
@@ -49,7 +50,8 @@ static void make_subject(struct subject *s)
                                         {2, 1, -0.0f}, {9, 2.5f, 1},    {9, 0.5f, 1},     {3, -1.5f, 1},
                                         {5, 0, 1},     {40, 1e-40f, 1}, {9, NAN, 1},      {1, 0, 1},
                                         {0, 1, 1},     {0, 1, 1},       {0, 1, 1}};
-    s->scene = (struct zr_scene){.meshes = s->meshes,
+    s->scene = (struct zr_scene){.picture = zr_look_textbook()->picture,
+                                 .meshes = s->meshes,
                                  .mesh_count = MESHES,
                                  .instances = s->instances,
                                  .instance_count = 1 + random_below(&numbers, INSTANCES)};
@@ -215,7 +217,11 @@ TEST(view_of_nothing_that_has_a_place_is_finite)
     static const zr_vec4 points[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
     const struct zr_mesh mesh = {.positions = points, .position_count = 3};
     const struct zr_instance instance = {.object_to_world = zr_mat4_identity()};
-    struct zr_scene scene = {.meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
+    struct zr_scene scene = {.picture = zr_look_textbook()->picture,
+                             .meshes = &mesh,
+                             .mesh_count = 1,
+                             .instances = &instance,
+                             .instance_count = 1};
     for (int round = 0; round < 100; round++) {
         struct zr_camera camera;
         make_view(&scene);
@@ -232,7 +238,11 @@ TEST(walk_that_is_cancelled_ends)
     static const zr_vec4 point = {1, 2, 3, 1};
     const struct zr_mesh mesh = {.positions = &point, .position_count = 1};
     const struct zr_instance instance = {.object_to_world = zr_mat4_identity()};
-    const struct zr_scene scene = {.meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
+    const struct zr_scene scene = {.picture = zr_look_textbook()->picture,
+                                   .meshes = &mesh,
+                                   .mesh_count = 1,
+                                   .instances = &instance,
+                                   .instance_count = 1};
     const struct zr_cancel cancel = {.raised = true};
     assert_true(zr_bounds_of(&scene, NULL, NULL).valid);
     assert_false(zr_bounds_of(&scene, NULL, &cancel).valid);

@@ -1,5 +1,6 @@
 /* What readers make scenes with. */
 #include "base/team.h"
+#include "scene/looks.h"
 #include "scene/scene_builder.h"
 #include "support/tests.h"
 
@@ -12,7 +13,7 @@ TEST(equal_materials_have_one_number)
 {
     enum { KINDS = 1000 };
     struct zr_arena arena;
-    struct zr_scene scene = {.mesh_count = 0};
+    struct zr_scene scene = {.picture = zr_look_textbook()->picture, .mesh_count = 0};
     zr_arena_init(&arena, (size_t)1 << 22);
     struct zr_scene_builder builder = zr_scene_builder_open(&arena, NULL, &scene);
     for (int again = 0; again < 2; again++)
@@ -39,7 +40,7 @@ TEST(what_meshes_leave_open_is_filled_in)
     struct zr_team *team = zr_team_create(2);
     for (int threads = 1; threads <= 2; threads++) {
         struct zr_arena arena;
-        struct zr_scene scene = {.mesh_count = 0};
+        struct zr_scene scene = {.picture = zr_look_textbook()->picture, .mesh_count = 0};
         zr_arena_init(&arena, (size_t)1 << 22);
         struct zr_scene_builder builder = zr_scene_builder_open(&arena, threads > 1 ? team : NULL, &scene);
         struct zr_mesh *meshes = zr_scene_builder_meshes(&builder, 3);
@@ -66,7 +67,7 @@ TEST(what_meshes_leave_open_is_filled_in)
 TEST(memory_that_is_short_is_seen_in_the_arena)
 {
     struct zr_arena arena;
-    struct zr_scene scene = {.mesh_count = 0};
+    struct zr_scene scene = {.picture = zr_look_textbook()->picture, .mesh_count = 0};
     zr_arena_init(&arena, 4096);
     struct zr_scene_builder builder = zr_scene_builder_open(&arena, NULL, &scene);
     struct zr_mesh *meshes = zr_scene_builder_meshes(&builder, 1);
