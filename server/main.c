@@ -16,7 +16,6 @@
 #include "keep/answers.h"
 #include "keep/images.h"
 #include "keep/meshes.h"
-#include "keep/sizes.h"
 #include "keep/store.h"
 #include "log/log.h"
 #include "log/log_writer.h"

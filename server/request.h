@@ -70,12 +70,12 @@ struct request {
     const char *method, *path;
     char *query;                                                 /* after the '?', or NULL */
     const char *content_type, *content_encoding, *authorization; /* NULL if not sent */
-    const char *if_none_match, *accept, *accept_encoding;        /* NULL if not sent */
+    const char *if_none_match, *accept_encoding;                 /* NULL if not sent */
     const char *origin, *fetch_site;                             /* of browsers; NULL if not sent */
     const char *asked_method;                                    /* of a preflight; NULL if not sent */
     struct mcp_headers mcp;                                      /* of POST /mcp */
     enum accept_parts parts;                                     /* form of an answer of several files */
-    bool takes_open_metrics;                                     /* form of an answer with metrics */
+    bool takes_open_metrics, takes_tiff;                         /* form of an answer with metrics; with depths */
     struct stream *stream;                                       /* with parts, on a worker; else NULL */
     const struct route *route;                                   /* set by router_open */
     bool gzip;                                                   /* set by router_open: the body is compressed */

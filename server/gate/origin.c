@@ -36,9 +36,9 @@ bool origin_is_allowed(const struct config *config, const struct request *reques
 
 bool origin_check(const struct config *config, const struct request *request, struct answer *answer)
 {
-    if (origin_is_allowed(config, request) || is_read_only(request->method) ||
-        !(is_text(request->fetch_site, "cross-site") || is_text(request->fetch_site, "same-site")))
-        return true;
+    const char *site = request->fetch_site;
+    if (!(is_text(site, "cross-site") || is_text(site, "same-site"))) return true;
+    if (is_read_only(request->method) || origin_is_allowed(config, request)) return true;
     problem_answer(
         answer, 403,
         "a page of another origin, %.100s, sent this request; to allow it, start zrasterd with --allow-origin",
@@ -56,8 +56,8 @@ static bool is_preflight(const struct request *request)
  * person). */
 void origin_finish(const struct config *config, const struct request *request, struct answer *answer)
 {
-    const bool is_any = allows_all(config);
     if (!*config->allow_origin) return;
+    const bool is_any = allows_all(config);
     if (!is_any) answer_vary(answer, "Origin");
     if (!is_any && !origin_is_allowed(config, request)) return;
     answer_header(answer, "Access-Control-Allow-Origin", "%s", is_any ? "*" : request->origin);

@@ -46,6 +46,9 @@ static size_t token_length(const char *text, const char *end)
     return (size_t)(end - text);
 }
 
+static const char *const NAMES[ACCEPT_TYPES] = {
+    ACCEPT_MIXED_TYPE, ACCEPT_FORM_TYPE, "application/zip", ACCEPT_OPEN_TYPE, "text/plain", "image/tiff", "image/png"};
+
 /* Reads "type/subtype;q=0.5"; other parameters do not matter. */
 static void read_range(struct accept *accept, const char *text, const char *end)
 {
@@ -58,11 +61,8 @@ static void read_range(struct accept *accept, const char *text, const char *end)
         const size_t size = token_length(parameter, next);
         if (size >= 2 && strncasecmp(parameter, "q=", 2) == 0) weight = read_weight(parameter + 2, size - 2);
     }
-    if (is_name(name, length, ACCEPT_MIXED_TYPE)) accept->mixed = weight;
-    if (is_name(name, length, ACCEPT_FORM_TYPE)) accept->form = weight;
-    if (is_name(name, length, "application/zip")) accept->zip = weight;
-    if (is_name(name, length, ACCEPT_OPEN_TYPE)) accept->open_metrics = weight;
-    if (is_name(name, length, "text/plain")) accept->plain = weight;
+    for (int i = 0; i < ACCEPT_TYPES; i++)
+        if (is_name(name, length, NAMES[i])) accept->weights[i] = weight;
 }
 
 void accept_read(struct accept *accept, const char *value)
@@ -76,12 +76,13 @@ void accept_read(struct accept *accept, const char *value)
 
 enum accept_parts accept_parts(const struct accept *accept)
 {
-    const int most = accept->mixed > accept->form ? accept->mixed : accept->form;
-    if (most == 0 || most < accept->zip) return ACCEPT_NO_PARTS;
-    return accept->mixed == most ? ACCEPT_MIXED : ACCEPT_FORM;
+    const int mixed = accept->weights[ACCEPT_TYPE_MIXED], form = accept->weights[ACCEPT_TYPE_FORM];
+    const int most = mixed > form ? mixed : form;
+    if (most == 0 || most < accept->weights[ACCEPT_TYPE_ZIP]) return ACCEPT_NO_PARTS;
+    return mixed == most ? ACCEPT_MIXED : ACCEPT_FORM;
 }
 
-bool accept_open_metrics(const struct accept *accept)
+bool accept_prefers(const struct accept *accept, enum accept_type type, enum accept_type other)
 {
-    return accept->open_metrics > 0 && accept->open_metrics >= accept->plain;
+    return accept->weights[type] > 0 && accept->weights[type] >= accept->weights[other];
 }

@@ -319,14 +319,14 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.mcp = (struct mcp_headers){header(exchange, "MCP-Protocol-Version"),
                                                  header(exchange, "Mcp-Method"), header(exchange, "Mcp-Name")};
     struct accept accept = {0};
-    exchange->request.accept = header(exchange, "Accept");
     exchange->request.accept_encoding = header(exchange, "Accept-Encoding");
     exchange->request.origin = header(exchange, "Origin");
     exchange->request.fetch_site = header(exchange, "Sec-Fetch-Site");
     exchange->request.asked_method = header(exchange, "Access-Control-Request-Method");
     MHD_get_connection_values(exchange->mhd, MHD_HEADER_KIND, read_accept, &accept);
     exchange->request.parts = accept_parts(&accept);
-    exchange->request.takes_open_metrics = accept_open_metrics(&accept);
+    exchange->request.takes_open_metrics = accept_prefers(&accept, ACCEPT_TYPE_OPEN_METRICS, ACCEPT_TYPE_PLAIN);
+    exchange->request.takes_tiff = accept_prefers(&accept, ACCEPT_TYPE_TIFF, ACCEPT_TYPE_PNG);
     if (exchange->connection->is_trusted) find_client(exchange);
     request_take_trace(&exchange->request, http->service, header(exchange, "traceparent"));
     request_take_id(&exchange->request, http->service, header(exchange, "X-Request-Id"));

@@ -21,4 +21,18 @@ bool answers_find(struct kept *answers, const struct zr_file_hash *key, struct a
 /* Keeps a copy of an answer with bytes. `answers` may be NULL. */
 void answers_keep(struct kept *answers, const struct zr_file_hash *key, const struct answer *answer, bool is_pinned);
 
+/* Sizes of answers by the same hash, for Content-Length of answers to HEAD and of 304. A small table: newer sizes
+ * displace older ones. Thread-safe. */
+struct sizes;
+
+/* NULL without memory. */
+struct sizes *sizes_open(void);
+void sizes_close(struct sizes *sizes);
+
+/* Notes the size, and whether the look has no version that may change. `sizes` may be NULL. */
+void sizes_note(struct sizes *sizes, const struct zr_file_hash *key, size_t size, bool is_pinned);
+
+/* False: it is not known. `sizes` may be NULL. */
+bool sizes_find(struct sizes *sizes, const struct zr_file_hash *key, size_t *size, bool *is_pinned);
+
 #endif

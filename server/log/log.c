@@ -50,7 +50,7 @@ static void add_text(struct line *line, const char *name, const char *text)
 static void add_query(struct line *line, const char *query)
 {
     char shown[LOG_TEXT_SIZE];
-    log_text_redact(shown, sizeof shown, query ? query : "");
+    log_text_redact(shown, sizeof shown, query);
     add_text(line, "query", shown);
 }
 
@@ -104,7 +104,7 @@ void log_request(const struct log_request *request)
     add_text(&line, "method", request->method);
     add_text(&line, "route", request->route);
     add_text(&line, "path", request->path);
-    add_query(&line, request->query);
+    if (request->query) add_query(&line, request->query);
     add(&line, ",\"status\":%d%s", status, request->aborted ? ",\"aborted\":true" : "");
     add_text(&line, "refused", refusal_word(request->refusal));
     add(&line, ",\"bytesIn\":%" PRIu64 ",\"bytesOut\":%" PRIu64, request->bytes_in, request->bytes_out);

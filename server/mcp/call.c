@@ -1,11 +1,10 @@
-#include "call.h"
+#include "tools.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "faults.h"
-#include "given.h"
 #include "memory.h"
 #include "shots.h"
 #include "tree.h"

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "meshes.h"
 #include "text.h"
 
 static struct mcp_span find_item(const struct mcp_job *job, struct mcp_span list, unsigned wanted)
@@ -157,7 +156,7 @@ static size_t copy_member(const struct mcp_job *job, struct mcp_span member, con
     char *end = out;
     struct zr_json json = zr_json_at(&job->message->json, meshes.at);
     struct mcp_span found;
-    for (unsigned i = 0; i < job->model_meshes && meshes.end == member.end && mcp_meshes_next(&json, &found); i++) {
+    for (unsigned i = 0; i < job->model_meshes && meshes.end == member.end && mcp_given_next(&json, &found); i++) {
         end = mempcpy(end, from, (size_t)(found.at - from));
         end = mempcpy(end, name->data, name->size);
         from = found.end;

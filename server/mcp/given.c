@@ -1,16 +1,15 @@
-#include "given.h"
+#include "job.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "faults.h"
 #include "input/scene/outputs.h"
-#include "meshes.h"
 #include "text.h"
 #include "tree.h"
 
-/* OUTPUTS_BYTES: of a list that is read. */
-enum { OUTPUTS_BYTES = 64 << 10 };
+/* OUTPUTS_BYTES: of a list that is read. IN_MESH: depth of the members of a mesh. */
+enum { OUTPUTS_BYTES = 64 << 10, IN_MESH = 2 };
 
 /* Channels that are not pictures, each with the call that gives its values. */
 static const char *const INSTEAD[][2] = {
@@ -103,13 +102,32 @@ static bool has_name(const struct mcp_job *job, struct mcp_span scene)
     return has;
 }
 
+bool mcp_given_next(struct zr_json *json, struct mcp_span *name)
+{
+    struct zr_json_text key;
+    if (json->depth == 0 && zr_json_type(json) == ZR_JSON_LIST) zr_json_enter(json, '[');
+    while (json->depth > 0 && !zr_json_stops(json)) {
+        if (json->depth == IN_MESH) {
+            if (!zr_json_member(json, &key)) continue;
+            *name = mcp_span_skip(json);
+            if (zr_json_is(&key, "asset") && mcp_span_is(*name, "\"model\"")) return true;
+        } else if (zr_json_item(json)) {
+            if (zr_json_type(json) == ZR_JSON_OBJECT)
+                zr_json_enter(json, '{');
+            else
+                zr_json_skip(json);
+        }
+    }
+    return false;
+}
+
 static void check_meshes(struct mcp_job *job, struct mcp_span meshes)
 {
     static const char name[] = "\"model\"";
     struct mcp_span found;
     struct zr_json json = zr_json_at(&job->message->json, meshes.at);
     if (memmem(meshes.at, (size_t)(meshes.end - meshes.at), name, sizeof name - 1))
-        while (mcp_meshes_next(&json, &found))
+        while (mcp_given_next(&json, &found))
             job->model_meshes++;
     if (job->model_meshes > 0 && !job->model.is_given)
         mcp_fault(&job->faults, "/model", "the model is missing, which the scene names by {\"asset\": \"model\"}");

@@ -4,9 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "call.h"
 #include "faults.h"
-#include "header.h"
 #include "memory.h"
 #include "near.h"
 #include "tools.h"
@@ -158,10 +156,29 @@ static void refuse_version(struct exchange *exchange, const char *version)
     mcp_text_free(&data);
 }
 
+/* Compares the value of a header with a text of the body. A value "=?base64?...?=" is decoded first. */
+static bool is_value(const char *value, const char *text)
+{
+    static const char head[] = "=?base64?", tail[] = "?=";
+    size_t length = strlen(value);
+    while (length > 0 && (value[length - 1] == ' ' || value[length - 1] == '\t'))
+        length--;
+    if (length < sizeof head + 1 || memcmp(value, head, sizeof head - 1) != 0 ||
+        memcmp(value + length - 2, tail, 2) != 0)
+        return length == strlen(text) && memcmp(value, text, length) == 0;
+    struct mcp_text wanted = {0};
+    mcp_text_base64(&wanted, text, strlen(text));
+    length -= sizeof head - 1 + sizeof tail - 1;
+    const bool is_equal =
+        !wanted.failed && wanted.size == length && memcmp(value + sizeof head - 1, wanted.data, length) == 0;
+    mcp_text_free(&wanted);
+    return is_equal;
+}
+
 static bool is_header(struct exchange *exchange, const char *name, const char *given, const char *wanted)
 {
     char why[160];
-    if (given && mcp_header_is(given, wanted)) return true;
+    if (given && is_value(given, wanted)) return true;
     snprintf(why, sizeof why, "the header %s %s", name, given ? "differs from the body" : "is missing");
     refuse(exchange, MCP_HEADERS_DIFFER, 400, why, NULL);
     return false;
@@ -199,7 +216,7 @@ static bool check_legacy(struct exchange *exchange)
     const char *version = exchange->headers ? exchange->headers->version : NULL;
     if (!version || strcmp(exchange->message.method, "initialize") == 0) return true;
     for (size_t i = 0; i < sizeof served / sizeof *served; i++)
-        if (mcp_header_is(version, served[i])) return true;
+        if (is_value(version, served[i])) return true;
     refuse_version(exchange, version);
     return false;
 }
@@ -238,7 +255,7 @@ enum mcp_draw_status mcp_handle(const struct mcp_host *host, struct mcp_span tex
     mcp_memory_clear();
     const int code = mcp_message_read(message, text, host, &why);
     /* The header alone also marks a modern request. */
-    if (code == 0 && headers && headers->version && mcp_header_is(headers->version, MCP_MODERN) &&
+    if (code == 0 && headers && headers->version && is_value(headers->version, MCP_MODERN) &&
         strcmp(message->method, "initialize") != 0)
         message->is_modern = true;
     if (mcp_host_is_cancelled(host)) {

@@ -50,6 +50,15 @@ struct mcp_job {
 bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct mcp_message *message,
                   enum mcp_tool tool);
 
+/* Checks `outputs`, `visibility`, `render`, `sheet` and `meshes` of a given scene, which the answer of a tool cannot
+ * follow (given.c). Counts the meshes that are the model. Adds faults, each with what to do instead. A picture's
+ * encoding becomes the format of the job, unless the arguments have one. False: the job has faults. */
+bool mcp_given_check(struct mcp_job *job);
+
+/* Goes to the next mesh {"asset": "model"} of a list of meshes, which is the next value of `json`. `name`: the string
+ * "model" with its quotes. False: there are no more. */
+bool mcp_given_next(struct zr_json *json, struct mcp_span *name);
+
 /* Turns a pointer into the scene to one into the arguments, in place. */
 void mcp_job_point(const struct mcp_job *job, char pointer[MCP_POINTER_SIZE]);
 

@@ -7,15 +7,14 @@
 #include "scene/looks.h"
 
 /* The last one stands for all others. */
-static const char *const METHODS[METRICS_METHODS] = {"GET", "HEAD", "POST", "PUT", "OPTIONS", "other"};
+const char *const metrics_methods[METRICS_METHODS] = {"GET", "HEAD", "POST", "PUT", "OPTIONS", "other"};
 
-/* 0: no answer was sent. -1: all others. */
-static const int STATUSES[METRICS_STATUSES] = {0,   200, 201, 204, 206, 304, 400, 401, 403, 404, 405, 406,
-                                               408, 409, 411, 412, 413, 414, 415, 416, 417, 422, 426, 428,
-                                               429, 431, 500, 501, 502, 503, 504, 505, 507, -1};
+const int metrics_statuses[METRICS_STATUSES] = {0,   200, 201, 204, 206, 304, 400, 401, 403, 404, 405, 406,
+                                                408, 409, 411, 412, 413, 414, 415, 416, 417, 422, 426, 428,
+                                                429, 431, 500, 501, 502, 503, 504, 505, 507, -1};
 
-static const char *const STEPS[METRICS_STEPS] = {"parse", "queue", "render", "encode"};
-static const char *const ABORTS[METRICS_ABORTS] = {"client_left", "slow_reader", "malformed"};
+const char *const metrics_steps[METRICS_STEPS] = {"parse", "queue", "render", "encode"};
+const char *const metrics_aborts[METRICS_ABORTS] = {"client_left", "slow_reader", "malformed"};
 
 struct metrics *metrics_create(void)
 {
@@ -75,7 +74,7 @@ static size_t place_of_route(struct metrics *metrics, const char *route)
 static size_t place_of_method(const char *method)
 {
     size_t place = 0;
-    while (place < METRICS_METHODS - 1 && (!method || strcmp(METHODS[place], method) != 0))
+    while (place < METRICS_METHODS - 1 && (!method || strcmp(metrics_methods[place], method) != 0))
         place++;
     return place;
 }
@@ -83,7 +82,7 @@ static size_t place_of_method(const char *method)
 static size_t place_of_status(int status)
 {
     size_t place = 0;
-    while (place < METRICS_STATUSES - 1 && STATUSES[place] != status)
+    while (place < METRICS_STATUSES - 1 && metrics_statuses[place] != status)
         place++;
     return place;
 }
@@ -121,26 +120,4 @@ void metrics_count(struct metrics *metrics, const struct log_request *request)
     if (request->refusal) metrics->refusals[request->refusal]++;
     if (request->aborted) count_abort(metrics, request);
     if (request->status == 504) metrics->timeouts++;
-}
-
-/* ---- texts ---- */
-
-const char *metrics_method(size_t method)
-{
-    return METHODS[method];
-}
-
-int metrics_status(size_t status)
-{
-    return STATUSES[status];
-}
-
-const char *metrics_step_word(enum metrics_step step)
-{
-    return STEPS[step];
-}
-
-const char *metrics_abort_word(enum metrics_abort abort)
-{
-    return ABORTS[abort];
 }

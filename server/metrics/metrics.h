@@ -98,11 +98,10 @@ void metrics_free(struct metrics *metrics);
 /* Counts a request as its line in the log has it. `metrics` may be NULL. */
 void metrics_count(struct metrics *metrics, const struct log_request *request);
 
-/* Texts of the labels. METRICS_STATUSES - 1: a status that is not in the table, "other". */
-const char *metrics_method(size_t method);
-int metrics_status(size_t status);
-const char *metrics_step_word(enum metrics_step step);
-const char *metrics_abort_word(enum metrics_abort abort);
+/* Texts of the labels. Statuses: 0: no answer was sent; -1: one that is not in the table, "other". */
+extern const char *const metrics_methods[METRICS_METHODS], *const metrics_steps[METRICS_STEPS],
+                                                               *const metrics_aborts[METRICS_ABORTS];
+extern const int metrics_statuses[METRICS_STATUSES];
 
 enum metrics_form { METRICS_TEXT, METRICS_OPEN };
 

@@ -96,9 +96,9 @@ static void print_requests(const struct printer *p)
                 const uint64_t count = m->requests[route][method][status];
                 char number[16] = "other";
                 if (count == 0) continue;
-                if (metrics_status(status) >= 0) snprintf(number, sizeof number, "%d", metrics_status(status));
+                if (metrics_statuses[status] >= 0) snprintf(number, sizeof number, "%d", metrics_statuses[status]);
                 print_labelled(p, (double)count, "route=\"%s\",method=\"%s\",status=\"%s\"", route_word(m, route),
-                               metrics_method(method), number);
+                               metrics_methods[method], number);
             }
 }
 
@@ -116,7 +116,7 @@ static void print_steps(const struct printer *p)
 {
     char labels[64];
     for (enum metrics_step step = METRICS_PARSE; step < METRICS_STEPS; step++) {
-        snprintf(labels, sizeof labels, "step=\"%s\"", metrics_step_word(step));
+        snprintf(labels, sizeof labels, "step=\"%s\"", metrics_steps[step]);
         print_histogram(p, labels, &p->metrics->steps[step], &histogram_seconds);
     }
 }
@@ -144,7 +144,7 @@ static void print_refusals(const struct printer *p)
 static void print_aborts(const struct printer *p)
 {
     for (enum metrics_abort i = METRICS_CLIENT_LEFT; i < METRICS_ABORTS; i++)
-        print_labelled(p, (double)p->metrics->aborts[i], "reason=\"%s\"", metrics_abort_word(i));
+        print_labelled(p, (double)p->metrics->aborts[i], "reason=\"%s\"", metrics_aborts[i]);
 }
 
 /* ---- families of the daemon ---- */

@@ -65,11 +65,6 @@ static enum body_status unpack(const struct work *work, struct zr_request *rende
     return BODY_READY;
 }
 
-static void report(struct answer *answer, enum zr_status status, const struct zr_error *error)
-{
-    problem_answer_error(answer, problem_http_status(status), error);
-}
-
 /* Reads the faults of a problem (problem.h). */
 static void read_faults(const struct answer *answer, struct mcp_faults *faults)
 {
@@ -94,7 +89,7 @@ static bool is_zip(const struct answer *answer)
 
 static enum mcp_draw_status draw(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn)
 {
-    static const struct rendering_kind kind = {unpack, report, NULL, true};
+    static const struct rendering_kind kind = {unpack, NULL, NULL, true};
     struct work work = *(const struct work *)context;
     const struct zr_asset file = {.name = draw->file_name, .bytes = draw->file, .size = draw->file_size};
     struct zr_request scene = {.format = ZR_FORMAT_JSON,

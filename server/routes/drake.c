@@ -28,32 +28,6 @@ bool drake_open(const struct service *service, struct request *request, struct a
     return false;
 }
 
-/* ---- Accept ---- */
-
-/* Returns the weight that Accept gives a media type by its name, 0 to 1; 0 also if it does not name the type.
- * Source: RFC 9110, 12.5.1. */
-static double weight_of(const char *accept, const char *type)
-{
-    const size_t length = strlen(type);
-    while (accept && *accept) {
-        accept += strspn(accept, " \t,");
-        const size_t size = strcspn(accept, ",");
-        const size_t name = strcspn(accept, ",; \t");
-        if (name == length && strncasecmp(accept, type, length) == 0) {
-            const char *q = memmem(accept, size, "q=", 2);
-            return q ? strtod(q + 2, NULL) : 1.0;
-        }
-        accept += size;
-    }
-    return 0.0;
-}
-
-static bool wants_tiff(const struct request *request)
-{
-    const double weight = weight_of(request->accept, "image/tiff");
-    return weight > 0.0 && weight >= weight_of(request->accept, "image/png");
-}
-
 /* ---- the hash ---- */
 
 enum { HASH_DIGITS = 2 * SHA256_DIGEST_SIZE, HASHED_AT_ONCE = 1 << 20 };
@@ -183,7 +157,7 @@ static enum body_status unpack(const struct work *work, struct zr_request *rende
     status = check_hash(&form, work->reading, work->answer);
     if (status != BODY_READY) return status;
     struct zr_asset *file = zr_arena_alloc(work->arena, 1, sizeof *file);
-    if (!file || !make_scene(&form, wants_tiff(work->request), work->arena, render)) {
+    if (!file || !make_scene(&form, work->request->takes_tiff, work->arena, render)) {
         problem_memory(work->answer, work->arena, NULL);
         return BODY_REFUSED;
     }

@@ -5,7 +5,6 @@
 
 #include "base/status.h"
 #include "input/formats/formats.h"
-#include "openapi_texts.h"
 #include "output/json/json_print.h"
 #include "request/encode.h"
 #include "schema/parameters.h"

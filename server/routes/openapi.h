@@ -8,4 +8,10 @@
 
 void openapi_print(struct zr_buffer *out, const struct zr_limits *limits);
 
+/* Parts that follow from no table. Members of `paths`, for all paths but /v1/render; NULL at the end. */
+extern const char *const openapi_paths[];
+
+/* Members of `components`, and of its `schemas`: the page's lists; an error. */
+extern const char openapi_components[], openapi_page_schemas[], openapi_problem[];
+
 #endif

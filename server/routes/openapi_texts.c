@@ -1,4 +1,4 @@
-#include "openapi_texts.h"
+#include "openapi.h"
 
 #include <stddef.h>
 

@@ -329,13 +329,6 @@ static bool is_head(const struct request *request)
     return strcmp(request->method, "HEAD") == 0;
 }
 
-static void answer_without_image(const struct rendering *r)
-{
-    r->work->answer->status = 200;
-    r->work->answer->is_unsized = true;
-    add_look(r);
-}
-
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request)
 {
     struct zr_views views;
@@ -393,10 +386,14 @@ static void release(struct rendering *r)
 
 static void answer_drawn(const struct rendering *r, const struct rendering_kind *kind)
 {
-    if (is_head(r->work->request))
-        answer_without_image(r);
-    else if (r->result.look) /* else it is streamed */
+    struct answer *answer = r->work->answer;
+    if (is_head(r->work->request)) {
+        answer->status = 200;
+        answer->is_unsized = true;
+        add_look(r);
+    } else if (r->result.look) { /* else it is streamed */
         answer_image(r);
+    }
     if (kind->finish) kind->finish(r->work, !r->has_open_look);
 }
 
@@ -409,8 +406,10 @@ static void answer_failed(const struct rendering *r, const struct rendering_kind
         problem_memory(answer, r->run.arena, &r->cost);
     else if (status == ZR_CANCELLED)
         problem_timeout(answer, r->work->service->config->render_timeout_ms);
-    else
+    else if (kind->report)
         kind->report(answer, status, r->run.error);
+    else
+        problem_answer_error(answer, problem_http_status(status), r->run.error);
 }
 
 enum request_next rendering_run(const struct rendering_kind *kind, const struct work *work)

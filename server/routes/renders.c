@@ -9,7 +9,6 @@
 #include "gate/gate.h"
 #include "input/query/query_text.h"
 #include "keep/answers.h"
-#include "keep/sizes.h"
 #include "problem.h"
 #include "render_key.h"
 #include "render_request.h"
