@@ -82,7 +82,9 @@ CROSS_CC ?= aarch64-linux-gnu-gcc
 verify := $(BUILD)/zraster-verify $(BUILD)/zraster-verify-egl $(BUILD)/zraster-verify-lines
 verify_mutants := $(verify:$(BUILD)/%=$(BUILD)/mutant/%)
 
-objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
+# A build of mutants compiles the folders of core that have some; all other objects are those of the build above it.
+plain := $(if $(MUTANTS),$(BUILD:%/mutant=%),$(BUILD))
+objects = $(patsubst %.c,$(plain)/%.o,$(wildcard $(1)))
 # Kernels are compiled once for each instruction set of the target, which is chosen when the program starts.
 # By the compiler's own macros. On a bare machine there is none yet: what a target installs, the make that it calls next
 # finds, and this one is to build nothing itself.
@@ -130,6 +132,10 @@ $(core): OURS += $(core_flags)
 renderer_rooms := base scene geometry mesh sections raster shade lines effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects) $(BUILD)/isas.o
+mutant_rooms := base geometry raster shade render
+mutated := $(if $(MUTANTS),$(patsubst $(plain)/%,$(BUILD)/%,$(filter $(foreach room,$(mutant_rooms),$(plain)/core/$(room)/%),$(renderer))) \
+	$(filter $(foreach room,$(mutant_rooms),$(BUILD)/core/$(room)/%),$(kernel_objects)) $(BUILD)/isas.o)
+$(mutated): OURS += $(core_flags)
 mcp := $(call objects,server/mcp/*.c)
 server := $(call objects,server/*.c server/*/*.c) $(BUILD)/server/site_files.o $(BUILD)/server/manual_files.o
 client := $(call objects,$(foreach room,commands options files engine,clients/$(room)/*.c))
@@ -139,8 +145,8 @@ support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c tests/suppor
 cross := $(call objects,tests/cross/main.c tests/support/pictures/gallery.c tests/support/pictures/look_scenes.c tests/support/simd_check.c) $(support_kernels)
 lines := $(call objects,tests/reference/lines/*.c)
 # The reference behind two doors: OSMesa, and EGL without a surface. One of them is there everywhere.
-reference_doors := $(BUILD)/tests/reference/gl/reference_osmesa.o $(BUILD)/tests/reference/gl/reference_egl.o
-door := $(BUILD)/tests/reference/gl/reference_$(REFERENCE).o
+reference_doors := $(plain)/tests/reference/gl/reference_osmesa.o $(plain)/tests/reference/gl/reference_egl.o
+door := $(plain)/tests/reference/gl/reference_$(REFERENCE).o
 DOOR_LIBS := $(reference_libs_$(REFERENCE))
 reference := $(filter-out $(reference_doors),$(call objects,tests/reference/*.c $(foreach room,generate gl page,tests/reference/$(room)/*.c)))
 reference_gl := $(patsubst %,$(BUILD)/tests/reference/gl/reference_%.o,fixed gl light program texture)
@@ -322,8 +328,8 @@ page-test: ## the page at / in chromium and firefox-esr (apt, npm): every contro
 	@node tests/page/test_manual.js $(BUILD)
 
 .PHONY: mutants
-mutants:
-	@$(MAKE) -s BUILD=$(BUILD)/mutant MUTANTS=1 $(verify_mutants)
+mutants: $(verify)
+	@$(MAKE) -s BUILD=$(BUILD)/mutant MUTANTS=1 $(if $(EMULATED),,QUICK=1) $(verify_mutants)
 
 .PHONY: repeat
 repeat: ## 200 pictures from each of 150 processes, with every instruction set: the same bytes; REPEAT_PROCESSES=N
@@ -657,14 +663,14 @@ $(BUILD)/reference-door: always
 .PHONY: always
 always:
 
-$(BUILD)/zraster-verify: $(reference) $(door) $(BUILD)/reference-door $(BUILD)/libsupport.a $(BUILD)/libcore.a
+$(BUILD)/zraster-verify: $(mutated) $(reference) $(door) $(plain)/reference-door $(plain)/libsupport.a $(plain)/libcore.a
 	$(LINK) $(DOOR_LIBS) $(CORE_LIBS)
 
-$(BUILD)/zraster-verify-egl: $(reference) $(BUILD)/tests/reference/gl/reference_egl.o $(BUILD)/libsupport.a $(BUILD)/libcore.a
+$(BUILD)/zraster-verify-egl: $(mutated) $(reference) $(plain)/tests/reference/gl/reference_egl.o $(plain)/libsupport.a $(plain)/libcore.a
 	$(LINK) $(reference_libs_egl) $(CORE_LIBS)
 
-$(BUILD)/zraster-verify-lines: $(lines) $(filter-out %/main.o,$(reference)) $(door) $(BUILD)/reference-door \
-		$(BUILD)/libsupport.a $(BUILD)/libcore.a
+$(BUILD)/zraster-verify-lines: $(mutated) $(lines) $(filter-out %/main.o,$(reference)) $(door) $(plain)/reference-door \
+		$(plain)/libsupport.a $(plain)/libcore.a
 	$(LINK) $(DOOR_LIBS) $(CORE_LIBS)
 
 $(BUILD)/zraster-cross: $(cross) $(renderer)
@@ -787,5 +793,5 @@ $(BUILD)/%_kernel.$(1).o: %_kernel.c $(BUILD)/flags | $(missing_compiler)
 endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
--include $(patsubst %.o,%.d,$(core) $(server) $(client) $(reference_pages) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/cross/same.o $(BUILD)/tests/make/tables.o $(BUILD)/tests/uninitialised/main.o $(server_support) \
+-include $(patsubst %.o,%.d,$(mutated) $(core) $(server) $(client) $(reference_pages) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/cross/same.o $(BUILD)/tests/make/tables.o $(BUILD)/tests/uninitialised/main.o $(server_support) \
 	$(fuzz_support) $(fuzz_seeds) $(fuzz_main) $(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone) $(fuzz_targets)))

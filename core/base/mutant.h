@@ -3,11 +3,11 @@
  *     return ZR_MUTANT(older_mesa, half_to_even(v), half_away(v));
  *
  * is half_to_even(v). In a build with `make MUTANTS=1`, programs can switch to half_away(v) while they run; `make
- * tests` puts this build into build/mutant. Every build compiles both expressions. A rule that the code applies at
- * several places has its mutant at each of them.
+ * tests` puts this build into build/mutant, with the machine's own instruction set alone. Every build compiles both
+ * expressions. A rule that the code applies at several places has its mutant at each of them.
  *
  * To add a mutant, add its name to the list below, and a row to tests/reference/mutants.txt with the differences that
- * it must make.
+ * it must make. Its folder of core is in `mutant_rooms` of the Makefile.
  */
 #ifndef ZR_MUTANT_H
 #define ZR_MUTANT_H

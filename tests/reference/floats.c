@@ -185,7 +185,7 @@ static void expect_light(const struct sample *s, const struct piece *piece, int3
     (void)x, (void)y;
     for (uint32_t i = 0; i < s->light_count; i++)
         lamps[i] = (struct zr_lamp){.to_light = s->to_light[i], .color = s->colors[i]};
-    zr_light_scalar(&lights, &s->to_eye, &normal, &s->values[2], 1, &front, &back);
+    zr_light_of(zr_isa_best())(&lights, &s->to_eye, &normal, &s->values[2], 1, &front, &back);
     for (int k = 0; k < 4; k++)
         out[k] = channel(piece->back ? back : front, k);
 }
