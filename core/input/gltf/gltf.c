@@ -27,13 +27,11 @@ static void check_version(struct zr_gltf *file)
 {
     const struct zr_json_path *path = ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_ASSET));
     struct given_asset given = {NULL, NULL};
-    uint64_t keys;
     if (!file->places[ZR_GLTF_ASSET]) {
         zr_json_fault(&file->json, NULL, "asset is missing: it gives the version of glTF");
         return;
     }
-    struct zr_json there = zr_json_at(&file->json, file->places[ZR_GLTF_ASSET]);
-    zr_gltf_fields(file, &there, path, &asset_object, &given, &keys);
+    zr_gltf_fields_at(file, file->places[ZR_GLTF_ASSET], path, &asset_object, &given);
     if (given.version && strncmp(given.version, "2.", 2) != 0)
         zr_json_fault(&file->json, ZR_JSON_KEY(path, asset_fields[VERSION].key), "glTF of version %s; 2.0 is read",
                       zr_quote(given.version, strlen(given.version)).text);
@@ -91,12 +89,13 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
                            const struct zr_limits *limits, struct zr_error *error)
 {
     struct zr_limits used = *limits;
+    const struct zr_parsed_bytes all = {request->bytes, request->size};
     struct zr_parsed_bytes text;
     struct zr_gltf *file = zr_arena_zero(builder->arena, 1, sizeof *file);
     struct zr_model_scene *made = zr_arena_zero(builder->arena, 1, sizeof *made);
     if (!file || !made) return ZR_NO_MEMORY;
     if (used.json_depth_max > ZR_JSON_DEPTH_MAX) used.json_depth_max = ZR_JSON_DEPTH_MAX;
-    const enum zr_status status = zr_gltf_unpack(builder, request->bytes, request->size, &text, &file->chunk, error);
+    const enum zr_status status = zr_gltf_unpack(builder, &all, &text, &file->chunk, error);
     if (status != ZR_OK) return status;
     file->made = made;
     file->size = request->size;
@@ -111,8 +110,7 @@ static enum zr_status read(struct zr_scene_builder *builder, const struct zr_req
     json->uris = &file->uris;
     file->uris = (struct zr_json_uris){.arena = json->arena, .cancel = json->cancel, .kept = request->texts};
     zr_json_open(json, text.bytes, text.size);
-    uint64_t keys;
-    if (file->assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places, &keys) && zr_json_end(json))
+    if (file->assets.uses && zr_gltf_fields(file, json, NULL, &zr_gltf_root, file->places) && zr_json_end(json))
         build(file, request);
     builder->file = made;
     builder->scene->file.unit = "metre";

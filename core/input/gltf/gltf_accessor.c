@@ -1,7 +1,7 @@
 /* Reads accessors of glTF, and checks that their elements are within their bytes. */
 #include "input/gltf/gltf_file.h"
 
-#include <string.h>
+#include <float.h>
 
 static const char *const shape_words[ZR_GLTF_SHAPES] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
 static const struct zr_names shapes = ZR_NAMES(ZR_GLTF_SHAPES, shape_words);
@@ -67,15 +67,11 @@ static const struct zr_json_object sparse_object = ZR_JSON_OBJECT_OF("sparse", s
 static void read_sparse(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                         struct zr_gltf_sparse *sparse)
 {
-    struct zr_json there = zr_json_at(&file->json, place);
     struct given_sparse given = {0, NULL, NULL};
-    uint64_t keys;
-    zr_gltf_fields(file, &there, path, &sparse_object, &given, &keys);
+    zr_gltf_fields_at(file, place, path, &sparse_object, &given);
     if (!given.indices || !given.values) return;
-    there = zr_json_at(&file->json, given.indices);
-    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, "indices"), &indices_object, sparse, &keys);
-    there = zr_json_at(&file->json, given.values);
-    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, "values"), &values_object, sparse, &keys);
+    zr_gltf_fields_at(file, given.indices, ZR_JSON_KEY(path, "indices"), &indices_object, sparse);
+    zr_gltf_fields_at(file, given.values, ZR_JSON_KEY(path, "values"), &values_object, sparse);
     sparse->count = given.count;
 }
 
@@ -107,8 +103,7 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF("accessor", fields
 static void read_accessor(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_accessor given = {.accessor = {.view = ZR_GLTF_NONE}};
-    uint64_t keys;
-    zr_gltf_fields(file, json, path, &object, &given, &keys);
+    zr_gltf_fields(file, json, path, &object, &given);
     if (given.sparse) read_sparse(file, ZR_JSON_KEY(path, fields[SPARSE].key), given.sparse, &given.accessor.sparse);
     file->accessors[number] = given.accessor;
 }
@@ -122,14 +117,21 @@ bool zr_gltf_read_accessors(struct zr_gltf *file)
 
 /* ---- bounds ---- */
 
-/* Checks that `count` elements of `size` bytes, `stride` apart, are within a view. */
-static bool fits(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_parsed_bytes *view,
-                 uint32_t offset, uint32_t count, size_t size, size_t stride)
+/* Elements of `size` bytes, `stride` apart, from a byte of a view on. */
+struct elements {
+    uint32_t offset, count;
+    size_t size, stride;
+};
+
+/* Returns the first byte of the elements, or NULL and a fault if they are not within the view. */
+static const unsigned char *find_elements(struct zr_gltf *file, const struct zr_json_path *path,
+                                          const struct zr_parsed_bytes *view, const struct elements *of)
 {
-    const uint64_t end = count == 0 ? offset : offset + (uint64_t)(count - 1) * stride + size;
-    if (end <= view->size) return true;
-    return zr_json_fault(&file->json, path, "%u elements end at byte %llu of a view of %zu", count,
-                         (unsigned long long)end, view->size);
+    const uint64_t end = of->count == 0 ? of->offset : of->offset + (uint64_t)(of->count - 1) * of->stride + of->size;
+    if (end <= view->size) return (const unsigned char *)view->bytes + of->offset;
+    zr_json_fault(&file->json, path, "%u elements end at byte %llu of a view of %zu", of->count,
+                  (unsigned long long)end, view->size);
+    return NULL;
 }
 
 static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, size_t size, struct zr_gltf_values *out)
@@ -141,15 +143,15 @@ static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, s
     struct zr_parsed_bytes view;
     if (sparse->count > out->count)
         return zr_json_fault(&file->json, ZR_JSON_KEY(at, "count"), "%u of %u elements", sparse->count, out->count);
-    if (!zr_gltf_find_view(file, ZR_JSON_KEY(indices, fields[VIEW].key), sparse->indices_view, &view) ||
-        !fits(file, indices, &view, sparse->indices_offset, sparse->count, index_size, index_size))
+    if (!zr_gltf_find_view(file, ZR_JSON_KEY(indices, fields[VIEW].key), sparse->indices_view, &view)) return false;
+    out->sparse_indices = find_elements(
+        file, indices, &view, &(struct elements){sparse->indices_offset, sparse->count, index_size, index_size});
+    if (!out->sparse_indices ||
+        !zr_gltf_find_view(file, ZR_JSON_KEY(values, fields[VIEW].key), sparse->values_view, &view))
         return false;
-    out->sparse_indices = (const unsigned char *)view.bytes + sparse->indices_offset;
-    if (!zr_gltf_find_view(file, ZR_JSON_KEY(values, fields[VIEW].key), sparse->values_view, &view) ||
-        !fits(file, values, &view, sparse->values_offset, sparse->count, size, size))
-        return false;
-    out->sparse_values = (const unsigned char *)view.bytes + sparse->values_offset;
-    return true;
+    out->sparse_values =
+        find_elements(file, values, &view, &(struct elements){sparse->values_offset, sparse->count, size, size});
+    return out->sparse_values;
 }
 
 /* Limits the number of elements without a view, which use no bytes, by the size of the request. */
@@ -174,7 +176,8 @@ bool zr_gltf_open(struct zr_gltf *file, const struct zr_json_path *path, uint32_
                                    .count = accessor->count,
                                    .width = width,
                                    .is_normalized = accessor->is_normalized,
-                                   .stride = size};
+                                   .stride = size,
+                                   .limit = (double)FLT_MAX};
     if (accessor->decoded) {
         out->bytes = accessor->decoded;
         out->count = accessor->decoded_count;
@@ -187,8 +190,9 @@ bool zr_gltf_open(struct zr_gltf *file, const struct zr_json_path *path, uint32_
         if (stride > 0) out->stride = stride;
         if (out->stride < size)
             return zr_json_fault(&file->json, at, "elements of %zu bytes, %u apart in their view", size, stride);
-        if (!fits(file, at, &view, accessor->offset, accessor->count, size, out->stride)) return false;
-        out->bytes = (const unsigned char *)view.bytes + accessor->offset;
+        out->bytes =
+            find_elements(file, at, &view, &(struct elements){accessor->offset, accessor->count, size, out->stride});
+        if (!out->bytes) return false;
     }
     return accessor->sparse.count == 0 || open_sparse(file, at, size, out);
 }

@@ -35,10 +35,9 @@ struct zr_gltf_animation {
 static void read_name(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_animation given = {.name = ""};
-    uint64_t keys;
     zr_json_type(json);
     file->animation->places[number] = json->at;
-    zr_gltf_fields(file, json, path, &object, &given, &keys);
+    zr_gltf_fields(file, json, path, &object, &given);
     file->animation->names[number] = given.name;
 }
 
@@ -110,7 +109,7 @@ static bool find_key(struct zr_gltf *file, const struct zr_json_path *path, cons
     out->count = times->count;
     for (uint32_t first = 0; first < times->count; first += AT_ONCE) {
         const uint32_t count = times->count - first < AT_ONCE ? times->count - first : AT_ONCE;
-        if (!zr_gltf_read_floats(file, times, first, count, (double)FLT_MAX, run, 1)) return false;
+        if (!zr_gltf_read_floats(file, times, &(struct zr_gltf_range){first, count}, run, 1)) return false;
         for (uint32_t i = 0; i < count; i++) {
             const double at = (double)run[i];
             if (at < before)
@@ -157,6 +156,10 @@ static const struct moment *find_moment(const struct reading *r, const struct zr
 
 /* ---- values ---- */
 
+enum { TRANSLATION, ROTATION, SCALE, WEIGHTS, POINTER };
+static const char *const path_words[] = {"translation", "rotation", "scale", "weights", "pointer"};
+static const struct zr_names paths = ZR_NAMES(5, path_words);
+
 /* Each key has an in-tangent, a value and an out-tangent of `n` numbers each. */
 static void put_cubic(const float *from, const float *to, size_t n, const struct moment *at, float *out)
 {
@@ -173,10 +176,11 @@ static void put_linear(const float *from, const float *to, size_t n, const struc
         out[k] = (float)((1 - at->share) * (double)from[k] + at->share * (double)to[k]);
 }
 
-/* Returns the value of a sampler, *width numbers. Sets *width if it is 0. NULL after a fault. */
+/* Returns the value of a sampler for a target, *width numbers. NULL after a fault. */
 static float *find_value(const struct reading *r, const struct zr_json_path *path, const struct sampler *sampler,
-                         int shape, bool is_rotation, uint32_t *width)
+                         int target, uint32_t *width)
 {
+    static const int shapes[] = {ZR_GLTF_VEC3, ZR_GLTF_VEC4, ZR_GLTF_VEC3, ZR_GLTF_SCALAR};
     struct zr_gltf *file = r->file;
     struct zr_json *json = &file->json;
     const struct zr_json_path *output = ZR_JSON_KEY(path, sampler_fields[OUTPUT].key);
@@ -185,30 +189,27 @@ static float *find_value(const struct reading *r, const struct zr_json_path *pat
     if (!at || !zr_gltf_open(file, output, sampler->output, &values)) return NULL;
     const uint32_t keys = at->count, parts = sampler->curve == CUBICSPLINE ? 3 : 1,
                    each = values.count / keys; /* elements per key */
-    if (values.accessor->shape != shape || each == 0 || values.count % keys != 0 || each % parts != 0 ||
-        (*width > 0 && each != parts)) {
+    if (values.accessor->shape != shapes[target] || each == 0 || values.count % keys != 0 || each % parts != 0 ||
+        (target != WEIGHTS && each != parts)) {
         zr_json_fault(json, output, "accessor %u does not fit %u keys: it has %u elements of %u numbers",
                       sampler->output, keys, values.count, values.width);
         return NULL;
     }
     values.is_normalized = true; /* glTF requires this for integers */
     const size_t n = (size_t)each / parts * values.width, count = (size_t)each * values.width;
-    float *from = zr_gltf_note_bytes(file, 2 * count * sizeof *from)
-                      ? zr_arena_alloc(json->arena, 2 * count, sizeof *from)
-                      : NULL,
-          *out = zr_arena_alloc(json->arena, n, sizeof *out);
+    float *from = zr_gltf_allocate(file, 2 * count, sizeof *from), *out = zr_arena_alloc(json->arena, n, sizeof *out);
     if (!from || !out) return NULL;
     float *const to = from + count;
-    if (!zr_gltf_read_floats(file, &values, at->key * each, each, (double)FLT_MAX, from, values.width) ||
-        (at->span > 0 &&
-         !zr_gltf_read_floats(file, &values, (at->key + 1) * each, each, (double)FLT_MAX, to, values.width)))
+    const struct zr_gltf_range here = {at->key * each, each}, next = {(at->key + 1) * each, each};
+    if (!zr_gltf_read_floats(file, &values, &here, from, values.width) ||
+        (at->span > 0 && !zr_gltf_read_floats(file, &values, &next, to, values.width)))
         return NULL;
     *width = (uint32_t)n;
     if (!(at->span > 0) || sampler->curve == STEP)
         memcpy(out, sampler->curve == CUBICSPLINE ? from + n : from, n * sizeof *out);
     else if (sampler->curve == CUBICSPLINE)
         put_cubic(from, to, n, at, out);
-    else if (is_rotation)
+    else if (target == ROTATION)
         zr_slerp(from, to, at->share, out);
     else
         put_linear(from, to, n, at, out);
@@ -221,10 +222,6 @@ static float *find_value(const struct reading *r, const struct zr_json_path *pat
 }
 
 /* ---- channels ---- */
-
-enum { TRANSLATION, ROTATION, SCALE, WEIGHTS, POINTER };
-static const char *const path_words[] = {"translation", "rotation", "scale", "weights", "pointer"};
-static const struct zr_names paths = ZR_NAMES(5, path_words);
 
 struct target {
     uint32_t node;
@@ -255,10 +252,9 @@ static const struct zr_json_object channel_object = ZR_JSON_OBJECT_OF("channel",
 static bool move(const struct reading *r, const struct zr_json_path *path, const struct target *target,
                  const struct sampler *sampler)
 {
-    static const int shapes[] = {ZR_GLTF_VEC3, ZR_GLTF_VEC4, ZR_GLTF_VEC3, ZR_GLTF_SCALAR};
     struct zr_gltf_pose *pose = &r->file->poses[target->node];
-    uint32_t width = target->path == WEIGHTS ? 0 : 1;
-    const float *v = find_value(r, path, sampler, shapes[target->path], target->path == ROTATION, &width);
+    uint32_t width;
+    const float *v = find_value(r, path, sampler, target->path, &width);
     if (!v) return false;
     switch (target->path) {
     case WEIGHTS:
@@ -282,12 +278,10 @@ static bool read_channel(const struct reading *r, struct zr_json *json, const st
     struct channel channel = {0, NULL};
     struct target target = {ZR_GLTF_NONE, -1};
     const size_t faults = json->error->count;
-    uint64_t keys;
-    zr_gltf_fields(file, json, path, &channel_object, &channel, &keys);
+    zr_gltf_fields(file, json, path, &channel_object, &channel);
     if (!channel.target) return false;
-    struct zr_json there = zr_json_at(json, channel.target);
     const struct zr_json_path *at = ZR_JSON_KEY(path, "target");
-    zr_gltf_fields(file, &there, at, &target_object, &target, &keys);
+    zr_gltf_fields_at(file, channel.target, at, &target_object, &target);
     if (json->error->count > faults) return false;
     if (channel.sampler >= r->sampler_count)
         return zr_json_bad_index(json, ZR_JSON_KEY(path, "sampler"), (double)channel.sampler, r->sampler_count,
@@ -313,9 +307,9 @@ static bool read_samplers(struct reading *r, const struct zr_json_path *path, co
     r->moments = zr_arena_zero(there.arena, r->file->counts[ZR_GLTF_ACCESSORS], sizeof *r->moments);
     if (!r->samplers || !r->moments) return false;
     zr_json_enter(&there, '[');
-    for (uint64_t keys; zr_json_any_item(&there); r->sampler_count++)
+    for (; zr_json_any_item(&there); r->sampler_count++)
         zr_gltf_fields(r->file, &there, ZR_JSON_ITEM(path, r->sampler_count), &sampler_object,
-                       &r->samplers[r->sampler_count], &keys);
+                       &r->samplers[r->sampler_count]);
     return there.error->count == 0;
 }
 
@@ -324,16 +318,14 @@ bool zr_gltf_animate(struct zr_gltf *file)
     const uint32_t number = file->animation->number;
     const struct zr_json_path *path = ZR_GLTF_ITEM(ZR_GLTF_ANIMATIONS, number),
                               *channels = ZR_JSON_KEY(path, fields[CHANNELS].key);
-    struct zr_json there = zr_json_at(&file->json, file->animation->places[number]);
     struct given_animation given = {.name = ""};
     const struct zr_gltf_note before = file->unknown; /* read_name has counted the unknown keys */
     struct reading r = {.file = file};
-    uint64_t keys;
-    zr_gltf_fields(file, &there, path, &object, &given, &keys);
+    zr_gltf_fields_at(file, file->animation->places[number], path, &object, &given);
     file->unknown = before;
     if (!given.channels || !given.samplers) return true; /* moves no node */
     if (!read_samplers(&r, ZR_JSON_KEY(path, fields[SAMPLERS].key), given.samplers)) return false;
-    there = zr_json_at(&file->json, given.channels);
+    struct zr_json there = zr_json_at(&file->json, given.channels);
     if (!zr_json_list(&there, channels)) return false;
     zr_json_enter(&there, '[');
     for (size_t i = 0; zr_json_any_item(&there); i++)

@@ -13,16 +13,12 @@ static const struct zr_json_field fields[] = {{.key = "POSITION", .read = zr_glt
                                               {.key = "WEIGHTS_1", .read = zr_gltf_index, .offset = AT(weights[1])},
                                               {.key = "COLOR_0", .read = zr_gltf_index, .offset = AT(color)}};
 #undef AT
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("attributes", fields);
+static const struct zr_json_object object = {ZR_JSON_FIELDS("attributes", fields), .is_open = true};
 
 void zr_gltf_read_attributes(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                              struct zr_gltf_attributes *out)
 {
-    struct zr_json there = zr_json_at(&file->json, place);
-    const struct zr_gltf_note before = file->unknown;
-    uint64_t keys;
-    zr_gltf_fields(file, &there, path, &object, out, &keys);
-    file->unknown = before;
+    zr_gltf_fields_at(file, place, path, &object, out);
 }
 
 const char *zr_gltf_attribute_of(uint32_t number, size_t *offset)
@@ -32,15 +28,25 @@ const char *zr_gltf_attribute_of(uint32_t number, size_t *offset)
     return fields[number].key;
 }
 
-bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
-                            int shape, int other, uint32_t vertices, struct zr_gltf_values *out)
+bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_gltf_attribute *attribute, struct zr_gltf_values *out)
 {
     static const char *const words[ZR_GLTF_SHAPES] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
-    const struct zr_json_path *at = ZR_JSON_KEY(path, name);
-    if (!zr_gltf_open(file, at, number, out)) return false;
+    const struct zr_json_path *at = ZR_JSON_KEY(attribute->path, attribute->name);
+    if (!zr_gltf_open(file, at, attribute->accessor, out)) return false;
     const int found = out->accessor->shape;
-    if (found != shape && found != other)
-        return zr_json_fault(&file->json, at, "accessor %u is %s; %s is needed", number, words[found], words[shape]);
-    return out->count >= vertices ||
-           zr_json_fault(&file->json, at, "accessor %u has %u elements for %u vertices", number, out->count, vertices);
+    if (found != attribute->shape)
+        return zr_json_fault(&file->json, at, "accessor %u is %s; %s is needed", attribute->accessor, words[found],
+                             words[attribute->shape]);
+    return out->count >= attribute->least ||
+           zr_json_fault(&file->json, at, "accessor %u has %u elements for %u vertices", attribute->accessor,
+                         out->count, attribute->least);
+}
+
+float *zr_gltf_read_vectors(struct zr_gltf *file, const struct zr_gltf_attribute *attribute,
+                            const struct zr_gltf_range *range)
+{
+    struct zr_gltf_values values;
+    if (!zr_gltf_open_attribute(file, attribute, &values)) return NULL;
+    float *out = zr_gltf_allocate(file, range->count, values.width * sizeof *out);
+    return out && zr_gltf_read_floats(file, &values, range, out, values.width) ? out : NULL;
 }

@@ -21,8 +21,7 @@ static const struct zr_json_object buffer_object = ZR_JSON_OBJECT_OF("buffer", b
 
 static void read_buffer(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
-    uint64_t keys;
-    zr_gltf_fields(file, json, path, &buffer_object, &file->buffers[number], &keys);
+    zr_gltf_fields(file, json, path, &buffer_object, &file->buffers[number]);
 }
 
 enum { VIEW_BUFFER, VIEW_LENGTH, VIEW_OFFSET, VIEW_STRIDE };
@@ -33,9 +32,9 @@ struct given_view {
 };
 #define AT(member) offsetof(struct given_view, member)
 static const struct zr_json_field view_fields[] = {
-    [VIEW_BUFFER] = {"buffer", zr_gltf_index, AT(view.buffer), .required = true, .text = "number of the buffer"},
-    [VIEW_LENGTH] = {"byteLength", zr_json_whole, AT(view.length), .required = true, .text = "bytes of the view"},
-    [VIEW_OFFSET] = {.key = "byteOffset", .read = zr_json_whole, .offset = AT(view.offset)},
+    [VIEW_BUFFER] = {"buffer", zr_gltf_index, AT(view.span.buffer), .required = true, .text = "number of the buffer"},
+    [VIEW_LENGTH] = {"byteLength", zr_json_whole, AT(view.span.length), .required = true, .text = "bytes of the view"},
+    [VIEW_OFFSET] = {.key = "byteOffset", .read = zr_json_whole, .offset = AT(view.span.offset)},
     [VIEW_STRIDE] = {.key = "byteStride", .read = zr_json_whole, .offset = AT(view.stride)},
     {.key = "target", .read = zr_gltf_ignore},
     {.key = "extensions", .read = zr_json_value_start, .offset = AT(extensions)},
@@ -48,13 +47,13 @@ static void read_view(struct zr_gltf *file, struct zr_json *json, const struct z
 {
     struct given_view given = {.extensions = NULL};
     struct zr_gltf_view *view = &file->views[number];
-    uint64_t keys;
-    zr_gltf_fields(file, json, path, &view_object, &given, &keys);
+    zr_gltf_fields(file, json, path, &view_object, &given);
+    const bool has_stride = zr_json_gives(file->given, VIEW_STRIDE);
     *view = given.view;
     if (given.extensions)
         zr_gltf_find_extension(file, ZR_JSON_KEY(path, "extensions"), given.extensions, ZR_GLTF_MESHOPT,
                                &view->compressed);
-    if (zr_json_gives(keys, VIEW_STRIDE) && (view->stride < STRIDE_MIN || view->stride > STRIDE_MAX))
+    if (has_stride && (view->stride < STRIDE_MIN || view->stride > STRIDE_MAX))
         zr_json_fault(json, ZR_JSON_KEY(path, view_fields[VIEW_STRIDE].key), "%u; %d to %d bytes are allowed",
                       view->stride, STRIDE_MIN, STRIDE_MAX);
 }
@@ -143,9 +142,11 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, ui
 }
 
 /* Finds bytes of a buffer. `path` leads to the object whose key `buffer` has its number. */
-static bool find_range(struct zr_gltf *file, const struct zr_json_path *path, uint32_t number, uint32_t offset,
-                       uint32_t length, struct zr_parsed_bytes *out)
+static bool find_range(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_span *span,
+                       struct zr_parsed_bytes *out)
 {
+    const uint32_t number = span->buffer;
+    const uint64_t end = (uint64_t)span->offset + span->length;
     if (!zr_gltf_check_index(file, ZR_JSON_KEY(path, view_fields[VIEW_BUFFER].key), number, ZR_GLTF_BUFFERS))
         return false;
     struct zr_gltf_buffer *buffer = &file->buffers[number];
@@ -153,10 +154,10 @@ static bool find_range(struct zr_gltf *file, const struct zr_json_path *path, ui
         buffer->state =
             find_bytes(file, ZR_GLTF_ITEM(ZR_GLTF_BUFFERS, number), number) ? ZR_GLTF_READ : ZR_GLTF_REFUSED;
     if (buffer->state == ZR_GLTF_REFUSED) return false;
-    if ((uint64_t)offset + length > buffer->length)
-        return zr_json_fault(&file->json, path, "bytes %u to %llu of buffer %u, which has %u", offset,
-                             (unsigned long long)offset + length, number, buffer->length);
-    *out = (struct zr_parsed_bytes){(const char *)buffer->bytes.bytes + offset, length};
+    if (end > buffer->length)
+        return zr_json_fault(&file->json, path, "bytes %u to %llu of buffer %u, which has %u", span->offset,
+                             (unsigned long long)end, number, buffer->length);
+    *out = (struct zr_parsed_bytes){(const char *)buffer->bytes.bytes + span->offset, span->length};
     return true;
 }
 
@@ -167,8 +168,7 @@ static bool decompress(struct zr_gltf *file, const struct zr_json_path *path, st
                               *at = ZR_JSON_KEY(extensions, ZR_GLTF_MESHOPT);
     struct zr_gltf_compressed given;
     struct zr_parsed_bytes packed;
-    return zr_gltf_read_compressed(file, at, view, &given) &&
-           find_range(file, at, given.buffer, given.offset, given.length, &packed) &&
+    return zr_gltf_read_compressed(file, at, view, &given) && find_range(file, at, &given.span, &packed) &&
            zr_gltf_decompress(file, at, &given, &packed, &view->bytes);
 }
 
@@ -178,7 +178,7 @@ bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, ui
     if (!zr_gltf_check_index(file, path, number, ZR_GLTF_BUFFER_VIEWS)) return false;
     struct zr_gltf_view *view = &file->views[number];
     const struct zr_json_path *at = ZR_GLTF_ITEM(ZR_GLTF_BUFFER_VIEWS, number);
-    if (!view->compressed) return find_range(file, at, view->buffer, view->offset, view->length, out);
+    if (!view->compressed) return find_range(file, at, &view->span, out);
     if (view->state == ZR_GLTF_UNREAD) view->state = decompress(file, at, view) ? ZR_GLTF_READ : ZR_GLTF_REFUSED;
     *out = view->bytes;
     return view->state == ZR_GLTF_READ;
@@ -187,7 +187,7 @@ bool zr_gltf_find_view(struct zr_gltf *file, const struct zr_json_path *path, ui
 bool zr_gltf_has_view(struct zr_gltf *file, uint32_t number)
 {
     if (number >= file->counts[ZR_GLTF_BUFFER_VIEWS]) return false;
-    const uint32_t buffer = file->views[number].buffer;
+    const uint32_t buffer = file->views[number].span.buffer;
     if (buffer >= file->counts[ZR_GLTF_BUFFERS]) return false;
     const struct zr_gltf_uri *uri = &file->buffers[buffer].uri;
     if (!uri->text) return buffer == 0 && file->chunk.bytes;

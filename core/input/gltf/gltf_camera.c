@@ -67,23 +67,22 @@ static void read_camera(struct zr_gltf *file, struct zr_json *json, const struct
     struct given_camera given = {"", NULL, NULL};
     struct given_projection projection = {1, 1, 1, 1, 2};
     const size_t faults = json->error->count;
-    uint64_t keys;
-    zr_gltf_fields(file, json, path, &object, &given, &keys);
+    zr_gltf_fields(file, json, path, &object, &given);
     const int key = given.perspective ? PERSPECTIVE : ORTHOGRAPHIC;
     if (!given.perspective && !given.orthographic) {
         zr_json_fault(json, path, "perspective or orthographic is needed");
         return;
     }
-    struct zr_json there = zr_json_at(json, given.perspective ? given.perspective : given.orthographic);
-    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, fields[key].key),
-                   given.perspective ? &perspective_object : &orthographic_object, &projection, &keys);
+    zr_gltf_fields_at(file, given.perspective ? given.perspective : given.orthographic,
+                      ZR_JSON_KEY(path, fields[key].key),
+                      given.perspective ? &perspective_object : &orthographic_object, &projection);
     *camera = (struct zr_model_camera){.name = given.name,
                                        .number = number,
                                        .is_perspective = given.perspective != NULL,
                                        .yfov_radians = given.perspective ? projection.yfov : 0.0f,
                                        .xmag = given.perspective ? 0.0f : fabsf(projection.xmag),
                                        .ymag = given.perspective ? 0.0f : fabsf(projection.ymag),
-                                       .has_zfar = zr_json_gives(keys, given.perspective ? P_ZFAR : O_ZFAR),
+                                       .has_zfar = zr_json_gives(file->given, given.perspective ? P_ZFAR : O_ZFAR),
                                        .znear = projection.znear,
                                        .zfar = projection.zfar};
     if (!given.perspective && !(camera->xmag > 0.0f && camera->ymag > 0.0f))

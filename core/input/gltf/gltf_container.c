@@ -41,14 +41,14 @@ static enum zr_status find_chunks(const char *bytes, size_t size, struct zr_pars
     return ZR_OK;
 }
 
-enum zr_status zr_gltf_unpack(struct zr_scene_builder *builder, const char *bytes, size_t size,
+enum zr_status zr_gltf_unpack(struct zr_scene_builder *builder, const struct zr_parsed_bytes *file,
                               struct zr_parsed_bytes *text, struct zr_parsed_bytes *chunk, struct zr_error *error)
 {
-    *text = *chunk = (struct zr_parsed_bytes){NULL, 0};
-    if (!zr_looks_so_GLB(bytes, size)) {
-        *text = (struct zr_parsed_bytes){bytes, size};
-        return ZR_OK;
-    }
+    const char *bytes = file->bytes;
+    const size_t size = file->size;
+    *text = zr_looks_so_GLB(bytes, size) ? (struct zr_parsed_bytes){NULL, 0} : *file;
+    *chunk = (struct zr_parsed_bytes){NULL, 0};
+    if (text->bytes) return ZR_OK;
     if (size < HEADER_BYTES)
         return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "binary glTF of %zu bytes; its header has %d", size,
                             HEADER_BYTES);

@@ -28,12 +28,11 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF(ZR_GLTF_DRACO, fie
 static bool read_extension(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                            struct given_mesh *out, struct zr_gltf_attributes *ids)
 {
-    struct zr_json there = zr_json_at(&file->json, place);
-    const size_t faults = there.error->count;
-    uint64_t keys;
-    if (!zr_gltf_fields(file, &there, path, &object, out, &keys) || !out->attributes) return false;
+    const struct zr_error *error = file->json.error;
+    const size_t faults = error->count;
+    if (!zr_gltf_fields_at(file, place, path, &object, out) || !out->attributes) return false;
     zr_gltf_read_attributes(file, ZR_JSON_KEY(path, fields[ATTRIBUTES].key), out->attributes, ids);
-    return there.error->count == faults;
+    return error->count == faults;
 }
 
 /* ---- the mesh ---- */
@@ -122,7 +121,7 @@ static const unsigned char *convert(struct zr_gltf *file, const struct zr_json_p
                  to = zr_gltf_type_bytes(type);
     struct zr_json *json = &file->json;
     if (!check_type(file, path, of, type)) return NULL;
-    unsigned char *out = zr_gltf_note_bytes(file, count * to) ? zr_arena_alloc(json->arena, count, to) : NULL;
+    unsigned char *out = zr_gltf_allocate(file, count, to);
     for (size_t i = 0; out && i < count; i++) {
         const int64_t value = read_integer(of->values + i * from, of->type);
         if (i % AT_ONCE == 0 && zr_is_cancelled(json->cancel)) return NULL;

@@ -61,21 +61,10 @@ void zr_gltf_check_extensions(struct zr_gltf *file)
 
 /* ---- objects ---- */
 
-bool zr_gltf_extensions(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
-                        const struct zr_json_object *object, void *out, uint64_t *given)
-{
-    const struct zr_gltf_note before = file->unknown;
-    const bool good = zr_gltf_fields(file, json, path, object, out, given);
-    file->unknown = before;
-    return good;
-}
-
 bool zr_gltf_find_extension(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
                             const char *name, const char **place)
 {
     const struct zr_json_field field = {.key = name, .read = zr_json_value_start, .offset = 0};
-    const struct zr_json_object object = {.name = "extensions", .count = 1, .fields = &field};
-    struct zr_json there = zr_json_at(&file->json, extensions);
-    uint64_t keys;
-    return zr_gltf_extensions(file, &there, path, &object, place, &keys);
+    const struct zr_json_object object = {.name = "extensions", .count = 1, .fields = &field, .is_open = true};
+    return zr_gltf_fields_at(file, extensions, path, &object, place);
 }

@@ -11,7 +11,7 @@
 
 /* Reads the extension of a view. `path` leads to the extension. */
 struct zr_gltf_compressed {
-    uint32_t buffer, offset, length;
+    struct zr_gltf_span span;
     struct zr_meshopt layout;
 };
 bool zr_gltf_read_compressed(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_view *view,
@@ -88,10 +88,6 @@ uint32_t zr_gltf_find_light(struct zr_gltf *file, const struct zr_json_path *pat
 void zr_gltf_place_light(struct zr_gltf *file, uint32_t node, uint32_t light, const zr_mat4 *world);
 
 /* ---- gltf_extension.c ---- */
-
-/* Reads an object of extensions. Skips extensions that are not in the table, without a warning. */
-bool zr_gltf_extensions(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
-                        const struct zr_json_object *object, void *out, uint64_t *given);
 
 /* Finds one extension in an object of extensions. Sets *place to the JSON text of the extension, or leaves it unchanged
  * if there is none. False after a fault. `extensions`: JSON text of the object. */

@@ -57,8 +57,13 @@ struct zr_gltf_buffer {
 
 struct zr_draco_mesh; /* draco.h */
 
-struct zr_gltf_view {
+/* A range of bytes of a buffer. */
+struct zr_gltf_span {
     uint32_t buffer, offset, length;
+};
+
+struct zr_gltf_view {
+    struct zr_gltf_span span;
     uint32_t stride;          /* 0: packed */
     const char *compressed;   /* JSON text of EXT_meshopt_compression, or NULL */
     enum zr_gltf_state state; /* state of `bytes`, the decompressed bytes */
@@ -116,6 +121,12 @@ struct zr_gltf_values {
     const unsigned char *bytes; /* NULL: zeros */
     size_t stride;
     const unsigned char *sparse_indices, *sparse_values;
+    double limit; /* of magnitudes, if they are read as floats; FLT_MAX until the caller sets it */
+};
+
+/* Elements of an accessor. */
+struct zr_gltf_range {
+    uint32_t first, count;
 };
 
 /* A texture of the file: numbers of its image and its sampler. */
@@ -178,6 +189,7 @@ struct zr_gltf {
     struct zr_parsed_bytes chunk; /* binary chunk of a GLB; bytes NULL if none */
     size_t size;                  /* of the file */
     uint64_t bytes;               /* size of the request, parts included */
+    uint64_t given;               /* keys of the object that was read last, one bit each */
     struct zr_gltf_buffer *buffers;
     struct zr_gltf_view *views;
     struct zr_gltf_accessor *accessors;
@@ -218,14 +230,17 @@ struct zr_gltf {
 /* ---- gltf_container.c ---- */
 
 /* Finds the JSON and the binary chunk of a GLB. Other bytes are taken as JSON. Warns of bytes after the end. */
-enum zr_status zr_gltf_unpack(struct zr_scene_builder *builder, const char *bytes, size_t size,
+enum zr_status zr_gltf_unpack(struct zr_scene_builder *builder, const struct zr_parsed_bytes *file,
                               struct zr_parsed_bytes *text, struct zr_parsed_bytes *chunk, struct zr_error *error);
 
 /* ---- gltf_json.c ---- */
 
-/* Reads an object as zr_json_fields, but skips unknown keys. Counts them, except in `extensions` and `extras`. */
+/* Reads an object as zr_json_fields, but skips unknown keys, and counts them unless the object is open. Sets
+ * file->given. zr_gltf_fields_at reads the object at `place`, which was skipped before. */
 bool zr_gltf_fields(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
-                    const struct zr_json_object *object, void *out, uint64_t *given);
+                    const struct zr_json_object *object, void *out);
+bool zr_gltf_fields_at(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
+                       const struct zr_json_object *object, void *out);
 
 /* Readers of fields. zr_gltf_ignore skips a value. zr_gltf_index reads an index without a check of its upper bound. */
 zr_json_read_fn zr_gltf_ignore, zr_gltf_index;
@@ -246,6 +261,9 @@ zr_json_read_fn zr_gltf_three, zr_gltf_four;
 
 /* Counts the bytes of an array before it is made. False if they exceed the limit of a quick reading. */
 bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes);
+
+/* Counts the bytes of an array, and makes it. NULL beyond the limit of a quick reading, or without memory. */
+void *zr_gltf_allocate(struct zr_gltf *file, size_t count, size_t size);
 
 /* Counts a problem; stores the path of the first. */
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path);
@@ -302,14 +320,14 @@ bool zr_gltf_open(struct zr_gltf *file, const struct zr_json_path *path, uint32_
 /* Returns the bytes per component, or 0 if glTF has no such type. */
 size_t zr_gltf_type_bytes(uint32_t type);
 
-/* Converts elements first .. first + count - 1 to floats: `width` numbers each, at out[i * step]. Other floats of `out`
- * keep their values. False, and a fault, if a number is not finite or its magnitude is beyond `limit`. */
-bool zr_gltf_read_floats(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t first, uint32_t count,
-                         double limit, float *out, size_t step);
+/* Converts a range of elements to floats: `width` numbers each, at out[i * step]. Other floats of `out` keep their
+ * values. False, and a fault, if a number is not finite or its magnitude is beyond the limit. */
+bool zr_gltf_read_floats(struct zr_gltf *file, const struct zr_gltf_values *values, const struct zr_gltf_range *range,
+                         float *out, size_t step);
 
-/* Reads all elements as indices, each below `end`. Sets *low and *high to the smallest and the largest index. */
+/* Reads all elements as indices, each below `end`. Sets *range from the smallest to the largest index. */
 bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t end, uint32_t *out,
-                          uint32_t *low, uint32_t *high);
+                          struct zr_gltf_range *range);
 
 /* ---- gltf_node.c; gltf_place.c ---- */
 

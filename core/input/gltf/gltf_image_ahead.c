@@ -18,9 +18,8 @@ static const struct zr_json_object mesh_object = ZR_JSON_OBJECT_OF("mesh", mesh_
 static void list_primitive(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_primitive given = {ZR_GLTF_NONE};
-    uint64_t keys;
     (void)number;
-    zr_gltf_fields(file, json, path, &primitive_object, &given, &keys);
+    zr_gltf_fields(file, json, path, &primitive_object, &given);
     if (given.material >= file->counts[ZR_GLTF_MATERIALS] || file->listing->has_material[given.material]) return;
     file->listing->has_material[given.material] = true;
     zr_gltf_list_images_of(file, given.material);
@@ -29,12 +28,11 @@ static void list_primitive(struct zr_gltf *file, struct zr_json *json, const str
 static void list_mesh(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_mesh given = {NULL};
-    uint64_t keys;
     if (file->first_uses[number] == ZR_GLTF_NONE) {
         zr_json_skip(json);
         return;
     }
-    zr_gltf_fields(file, json, path, &mesh_object, &given, &keys);
+    zr_gltf_fields(file, json, path, &mesh_object, &given);
     if (given.primitives)
         zr_gltf_read_items(file, given.primitives, ZR_JSON_KEY(path, mesh_fields[0].key), list_primitive);
 }

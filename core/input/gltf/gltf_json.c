@@ -19,6 +19,11 @@ bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
     return zr_json_has_time(&file->json, bytes);
 }
 
+void *zr_gltf_allocate(struct zr_gltf *file, size_t count, size_t size)
+{
+    return zr_gltf_note_bytes(file, count * size) ? zr_arena_alloc(file->json.arena, count, size) : NULL;
+}
+
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path)
 {
     if (note->count++ > 0) return;
@@ -83,39 +88,52 @@ static size_t find_field(const struct zr_json_object *object, const struct zr_js
     return i;
 }
 
-static void read_field(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
-                       const struct zr_json_object *object, const struct zr_json_text *key, void *out, uint64_t *given)
+static void note_unknown(struct zr_gltf *file, struct zr_json_reading *reading, const struct zr_json_text *key)
 {
-    const size_t number = find_field(object, key);
-    if (number == object->count) {
-        const char *word = file->unknown.count == 0 ? zr_json_decode(json, key) : "";
-        if (word) zr_gltf_note(&file->unknown, ZR_JSON_KEY(path, word));
+    const char *word = file->unknown.count == 0 ? zr_json_decode(reading->json, key) : "";
+    if (word) zr_gltf_note(&file->unknown, ZR_JSON_KEY(reading->path, word));
+}
+
+static void read_field(struct zr_gltf *file, struct zr_json_reading *reading, const struct zr_json_text *key)
+{
+    const size_t number = find_field(reading->object, key);
+    struct zr_json *json = reading->json;
+    if (number == reading->object->count) {
+        if (!reading->object->is_open) note_unknown(file, reading, key);
         zr_json_skip(json);
         return;
     }
-    const struct zr_json_field *field = &object->fields[number];
-    const uint64_t bit = UINT64_C(1) << number;
-    if (*given & bit) {
-        if (zr_json_skip(json)) zr_json_fault(json, ZR_JSON_KEY(path, field->key), "given twice");
+    const struct zr_json_field *field = &reading->object->fields[number];
+    const struct zr_json_path *path = ZR_JSON_FIELD(reading->path, field);
+    if (zr_json_gives(file->given, (int)number)) {
+        if (zr_json_skip(json)) zr_json_fault(json, path, "given twice");
         return;
     }
-    *given |= bit;
-    field->read(json, ZR_JSON_FIELD(path, field), (char *)out + field->offset);
+    file->given |= ZR_KEY(number);
+    field->read(json, path, (char *)reading->out + field->offset);
 }
 
 bool zr_gltf_fields(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path,
-                    const struct zr_json_object *object, void *out, uint64_t *given)
+                    const struct zr_json_object *object, void *out)
 {
+    struct zr_json_reading reading = {.json = json, .path = path, .object = object, .out = out};
     struct zr_json_text key;
-    *given = 0;
+    file->given = 0;
     if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_json_expect(json, path, "an object");
     if (!zr_json_enter(json, '{')) return false;
     while (zr_json_member(json, &key))
-        read_field(file, json, path, object, &key, out, given);
+        read_field(file, &reading, &key);
     for (size_t i = 0; i < object->count && object->fields[i].required; i++)
-        if (!zr_json_gives(*given, (int)i))
+        if (!zr_json_gives(file->given, (int)i))
             zr_json_fault(json, path, "%s is missing: %s", object->fields[i].key, object->fields[i].text);
     return !json->ended;
+}
+
+bool zr_gltf_fields_at(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
+                       const struct zr_json_object *object, void *out)
+{
+    struct zr_json there = zr_json_at(&file->json, place);
+    return zr_gltf_fields(file, &there, path, object, out);
 }
 
 /* ---- lists ---- */

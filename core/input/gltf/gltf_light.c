@@ -84,11 +84,9 @@ static void read_light(struct zr_gltf *file, struct zr_json *json, const struct 
     static const struct zr_names names = ZR_NAMES(4, types);
     struct given_light given = {.type = "", .color = {1, 1, 1}, .intensity = 1};
     struct given_spot spot = {0, 45 / TO_DEGREES};
-    uint64_t keys;
-    zr_gltf_fields(file, json, path, &object, &given, &keys);
+    zr_gltf_fields(file, json, path, &object, &given);
     if (given.spot) {
-        struct zr_json there = zr_json_at(json, given.spot);
-        zr_gltf_fields(file, &there, ZR_JSON_KEY(path, fields[SPOT].key), &spot_object, &spot, &keys);
+        zr_gltf_fields_at(file, given.spot, ZR_JSON_KEY(path, fields[SPOT].key), &spot_object, &spot);
     }
     const int type = zr_names_find(&names, given.type);
     struct zr_light *light = &file->lights[number];
@@ -112,15 +110,13 @@ bool zr_gltf_read_lights(struct zr_gltf *file)
     const struct zr_json_path *extensions = ZR_JSON_KEY(NULL, zr_gltf_word(ZR_GLTF_EXTENSIONS)),
                               *path = ZR_JSON_KEY(extensions, NAME), *list = ZR_JSON_KEY(path, "lights");
     const char *found = NULL, *lights = NULL;
-    uint64_t keys;
     size_t count;
     if (!file->places[ZR_GLTF_EXTENSIONS]) return true;
     if (!zr_gltf_find_extension(file, extensions, file->places[ZR_GLTF_EXTENSIONS], NAME, &found)) return false;
     if (!found) return true;
-    struct zr_json there = zr_json_at(json, found);
-    if (!zr_gltf_fields(file, &there, path, &list_object, &lights, &keys)) return false;
+    if (!zr_gltf_fields_at(file, found, path, &list_object, &lights)) return false;
     if (!lights) return true;
-    there = zr_json_at(json, lights);
+    struct zr_json there = zr_json_at(json, lights);
     if (!zr_json_count(&there, list, &count)) return false;
     file->light_count = (uint32_t)count;
     file->lights = zr_arena_zero(json->arena, count, sizeof *file->lights);
@@ -138,11 +134,9 @@ uint32_t zr_gltf_find_light(struct zr_gltf *file, const struct zr_json_path *pat
 {
     const char *found = NULL;
     uint32_t light = ZR_GLTF_NONE;
-    uint64_t keys;
     const struct zr_json_path *at = ZR_JSON_KEY(path, NAME);
     if (!zr_gltf_find_extension(file, path, extensions, NAME, &found) || !found) return light;
-    struct zr_json there = zr_json_at(&file->json, found);
-    zr_gltf_fields(file, &there, at, &node_object, &light, &keys);
+    zr_gltf_fields_at(file, found, at, &node_object, &light);
     if (light != ZR_GLTF_NONE && light >= file->light_count)
         zr_json_bad_index(&file->json, ZR_JSON_KEY(at, node_fields[0].key), (double)light, file->light_count, "lights");
     return light < file->light_count ? light : ZR_GLTF_NONE;

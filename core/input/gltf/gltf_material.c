@@ -56,10 +56,8 @@ static void read_pbr(struct zr_gltf *file, const struct zr_json_path *path, cons
 {
     struct given_pbr given = {.base_color = {1, 1, 1, 1}, .metallic = 1, .roughness = 1};
     float color[4];
-    uint64_t keys;
     if (place) {
-        struct zr_json there = zr_json_at(&file->json, place);
-        zr_gltf_fields(file, &there, path, &pbr_object, &given, &keys);
+        zr_gltf_fields_at(file, place, path, &pbr_object, &given);
     }
     for (int k = 0; k < 4; k++)
         color[k] = clamp(file, ZR_JSON_KEY(path, pbr_fields[BASE_COLOR].key), given.base_color[k]);
@@ -85,7 +83,7 @@ static const struct zr_json_field extension_fields[] = {
     [GLOSSINESS] = {
         .key = "KHR_materials_pbrSpecularGlossiness", .read = zr_json_value_start, .offset = AT(glossiness)}};
 #undef AT
-static const struct zr_json_object extension_object = ZR_JSON_OBJECT_OF("extensions", extension_fields);
+static const struct zr_json_object extension_object = {ZR_JSON_FIELDS("extensions", extension_fields), .is_open = true};
 
 #define EMISSIVE_MAX 1e6
 
@@ -118,19 +116,17 @@ static void read_glossy(struct zr_gltf *file, const struct zr_json_path *path, c
 static bool read_extensions(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                             struct zr_parsed_material *out, double *strength)
 {
-    struct zr_json there = zr_json_at(&file->json, place);
     struct given_extensions given = {NULL, NULL, NULL, NULL, NULL};
     struct given_strength emissive = {1};
-    uint64_t keys;
-    zr_gltf_extensions(file, &there, path, &extension_object, &given, &keys);
+    zr_gltf_fields_at(file, place, path, &extension_object, &given);
     if (given.unlit)
         out->face_style.shading = ZR_SHADING_UNLIT;
     else if (given.ior || given.specular)
         zr_gltf_read_reflectance(file, path, given.ior, given.specular, out);
     if (given.glossiness) read_glossy(file, ZR_JSON_KEY(path, extension_fields[GLOSSINESS].key), given.glossiness, out);
     if (!given.strength) return given.glossiness != NULL;
-    there = zr_json_at(&file->json, given.strength);
-    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, extension_fields[STRENGTH].key), &strength_object, &emissive, &keys);
+    zr_gltf_fields_at(file, given.strength, ZR_JSON_KEY(path, extension_fields[STRENGTH].key), &strength_object,
+                      &emissive);
     *strength = emissive.strength;
     return given.glossiness != NULL;
 }
@@ -178,12 +174,10 @@ static void put_emission(struct zr_gltf *file, const struct zr_json_path *path, 
 static bool read_material(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
                           struct zr_parsed_material *out)
 {
-    struct zr_json there = zr_json_at(&file->json, place);
     struct given_material given = {.name = "", .alpha_cutoff = 0.5};
     const size_t faults = file->json.error->count;
     double strength = 1;
-    uint64_t keys;
-    if (!zr_gltf_fields(file, &there, path, &object, &given, &keys)) return false;
+    if (!zr_gltf_fields_at(file, place, path, &object, &given)) return false;
     out->name = given.name;
     out->keys = UINT64_C(1) << ZR_MATERIAL_BASE_COLOR | UINT64_C(1) << ZR_MATERIAL_METALLIC |
                 UINT64_C(1) << ZR_MATERIAL_ROUGHNESS | UINT64_C(1) << ZR_MATERIAL_EMISSIVE;

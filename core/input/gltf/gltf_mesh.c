@@ -31,10 +31,9 @@ static void read_primitive(struct zr_gltf *file, struct zr_json *json, const str
             .attributes = ZR_GLTF_NO_ATTRIBUTES, .indices = none, .material = none, .mode = ZR_GLTF_TRIANGLES}};
     struct zr_gltf_use *of = &file->uses[file->use];
     struct zr_mesh *mesh = &file->builder->meshes[of->first + of->count];
-    uint64_t keys;
     (void)number;
     if (zr_gltf_stops(file)) return;
-    zr_gltf_fields(file, json, path, &object, &given, &keys);
+    zr_gltf_fields(file, json, path, &object, &given);
     if (!given.attributes) return;
     zr_gltf_read_attributes(file, ZR_JSON_KEY(path, fields[ATTRIBUTES].key), given.attributes,
                             &given.primitive.attributes);
@@ -71,9 +70,8 @@ static const struct zr_json_object mesh_object = ZR_JSON_OBJECT_OF("mesh", mesh_
 static void count_mesh(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_mesh given = {"", NULL, NULL};
-    uint64_t keys;
     size_t count = 0;
-    zr_gltf_fields(file, json, path, &mesh_object, &given, &keys);
+    zr_gltf_fields(file, json, path, &mesh_object, &given);
     if (!given.primitives || file->first_uses[number] == ZR_GLTF_NONE) return;
     struct zr_json there = zr_json_at(json, given.primitives);
     if (!zr_json_count(&there, ZR_JSON_KEY(path, mesh_fields[PRIMITIVES].key), &count)) return;
@@ -101,13 +99,12 @@ static void read_use(struct zr_gltf *file, const struct zr_json_path *path, cons
 static void read_mesh(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_mesh given = {"", NULL, NULL};
-    uint64_t keys;
     if (file->first_uses[number] == ZR_GLTF_NONE || zr_gltf_stops(file)) {
         zr_json_skip(json);
         return;
     }
     const struct zr_gltf_note before = file->unknown; /* count_mesh has counted the unknown keys */
-    zr_gltf_fields(file, json, path, &mesh_object, &given, &keys);
+    zr_gltf_fields(file, json, path, &mesh_object, &given);
     file->unknown = before;
     for (uint32_t i = file->first_uses[number]; i != ZR_GLTF_NONE && !zr_gltf_stops(file); i = file->uses[i].next)
         read_use(file, ZR_JSON_KEY(path, mesh_fields[PRIMITIVES].key), &given, i);

@@ -8,13 +8,13 @@ static const struct zr_names modes = ZR_NAMES(3, mode_words), filters = ZR_NAMES
 enum { BUFFER, LENGTH, STRIDE, COUNT, MODE };
 #define AT(member) offsetof(struct zr_gltf_compressed, member)
 static const struct zr_json_field fields[] = {
-    [BUFFER] = {"buffer", zr_gltf_index, AT(buffer), .required = true, .text = "number of the buffer"},
-    [LENGTH] = {"byteLength", zr_json_whole, AT(length), .required = true, .text = "compressed bytes"},
+    [BUFFER] = {"buffer", zr_gltf_index, AT(span.buffer), .required = true, .text = "number of the buffer"},
+    [LENGTH] = {"byteLength", zr_json_whole, AT(span.length), .required = true, .text = "compressed bytes"},
     [STRIDE] = {"byteStride", zr_json_whole, AT(layout.stride), .required = true, .text = "bytes of an element"},
     [COUNT] = {"count", zr_json_whole, AT(layout.count), .required = true, .text = "number of elements"},
     [MODE] = {"mode", zr_json_choice, AT(layout.mode), .words = &modes, .required = true,
               .text = "ATTRIBUTES, TRIANGLES or INDICES"},
-    {.key = "byteOffset", .read = zr_json_whole, .offset = AT(offset)},
+    {.key = "byteOffset", .read = zr_json_whole, .offset = AT(span.offset)},
     {.key = "filter", .read = zr_json_choice, .offset = AT(layout.filter), .words = &filters},
     ZR_GLTF_COMMON};
 #undef AT
@@ -23,14 +23,13 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF(ZR_GLTF_MESHOPT, f
 bool zr_gltf_read_compressed(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_view *view,
                              struct zr_gltf_compressed *out)
 {
-    struct zr_json there = zr_json_at(&file->json, view->compressed);
-    const size_t faults = there.error->count;
-    uint64_t keys;
-    *out = (struct zr_gltf_compressed){.length = 0};
-    if (!zr_gltf_fields(file, &there, path, &object, out, &keys) || there.error->count > faults) return false;
-    return (uint64_t)out->layout.count * out->layout.stride == view->length ||
+    const struct zr_error *error = file->json.error;
+    const size_t faults = error->count;
+    *out = (struct zr_gltf_compressed){.span = {0, 0, 0}};
+    if (!zr_gltf_fields_at(file, view->compressed, path, &object, out) || error->count > faults) return false;
+    return (uint64_t)out->layout.count * out->layout.stride == view->span.length ||
            zr_json_fault(&file->json, path, "%u elements of %u bytes, but the view has %u bytes", out->layout.count,
-                         out->layout.stride, view->length);
+                         out->layout.stride, view->span.length);
 }
 
 bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_compressed *given,
@@ -41,7 +40,7 @@ bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, c
     const size_t size = (size_t)of->count * of->stride;
     struct zr_reason reason = {""};
     if (!zr_meshopt_check(of, packed->size, &reason)) return zr_json_fault(json, path, "%s", reason.text);
-    unsigned char *bytes = zr_gltf_note_bytes(file, size) ? zr_arena_alloc(json->arena, size, 1) : NULL;
+    unsigned char *bytes = zr_gltf_allocate(file, size, 1);
     if (!bytes) return false;
     if (!zr_meshopt_decode(of, packed->bytes, packed->size, bytes, json->cancel, &reason))
         return zr_json_fault(json, path, "%s", reason.text);

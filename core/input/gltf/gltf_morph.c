@@ -2,67 +2,57 @@
 #include "input/gltf/gltf_extensions.h"
 #include "input/gltf/gltf_parts.h"
 
-#include <float.h>
-#include <math.h>
-
-/* One target: accessor numbers of its differences, or NONE. */
-struct target {
-    uint32_t position, normal, tangent;
-};
-#define AT(member) offsetof(struct target, member)
-static const struct zr_json_field fields[] = {{.key = "POSITION", .read = zr_gltf_index, .offset = AT(position)},
-                                              {.key = "NORMAL", .read = zr_gltf_index, .offset = AT(normal)},
-                                              {.key = "TANGENT", .read = zr_gltf_index, .offset = AT(tangent)}};
-#undef AT
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("target", fields);
+/* Parts of a target: accessor numbers of differences, or NONE. */
+enum { POSITION, NORMAL, TANGENT, PARTS };
+#define PART(name, at)                                                                                                 \
+    {                                                                                                                  \
+        .key = (name), .read = zr_gltf_index, .offset = (at) * sizeof(uint32_t)                                        \
+    }
+static const struct zr_json_field fields[] = {
+    [POSITION] = PART("POSITION", POSITION), [NORMAL] = PART("NORMAL", NORMAL), [TANGENT] = PART("TANGENT", TANGENT)};
+#undef PART
+static const struct zr_json_object object = {ZR_JSON_FIELDS("target", fields), .is_open = true};
 
 #define WEIGHT_MAX 1e6
 
 /* Adds `weight` times the differences to the first three floats of vectors that are `step` floats apart. */
-static bool add(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number, double weight,
-                const struct zr_gltf_range *range, float *vectors, size_t step)
+static void add(const zr_vec3 *differences, uint32_t count, float weight, float *vectors, size_t step)
 {
-    struct zr_gltf_values values;
-    if (!zr_gltf_open_attribute(file, path, name, number, ZR_GLTF_VEC3, ZR_GLTF_VEC3, range->all, &values))
-        return false;
-    zr_vec3 *moves = zr_gltf_note_bytes(file, range->count * sizeof *moves)
-                         ? zr_arena_alloc(file->json.arena, range->count, sizeof *moves)
-                         : NULL;
-    if (!moves || !zr_gltf_read_floats(file, &values, range->first, range->count, (double)FLT_MAX, &moves[0].x, 3))
-        return false;
-    for (uint32_t i = 0; i < range->count; i++, vectors += step) {
-        vectors[0] += (float)weight * moves[i].x;
-        vectors[1] += (float)weight * moves[i].y;
-        vectors[2] += (float)weight * moves[i].z;
+    for (uint32_t i = 0; i < count; i++, vectors += step) {
+        vectors[0] += weight * differences[i].x;
+        vectors[1] += weight * differences[i].y;
+        vectors[2] += weight * differences[i].z;
     }
-    zr_arena_trim(file->json.arena, moves, range->count, 0, sizeof *moves);
-    return true;
 }
 
 static bool add_target(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, double weight,
-                       const struct zr_gltf_range *range, struct zr_mesh *mesh)
+                       const struct zr_gltf_making *making)
 {
-    struct target target = {ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE};
-    uint64_t keys;
-    if (!zr_gltf_extensions(file, json, path, &object, &target, &keys)) return false;
-    if (weight == 0.0) return true;
-    if (target.position != ZR_GLTF_NONE &&
-        !add(file, path, "POSITION", target.position, weight, range, (float *)mesh->positions, 4))
-        return false;
-    if (mesh->normals && target.normal != ZR_GLTF_NONE &&
-        !add(file, path, "NORMAL", target.normal, weight, range, (float *)mesh->normals, 3))
-        return false;
-    return !mesh->tangents || target.tangent == ZR_GLTF_NONE ||
-           add(file, path, "TANGENT", target.tangent, weight, range, (float *)mesh->tangents, 4);
+    static const size_t steps[PARTS] = {4, 3, 4};
+    const struct zr_mesh *mesh = making->mesh;
+    float *vectors[PARTS] = {(float *)mesh->positions, (float *)mesh->normals, (float *)mesh->tangents};
+    uint32_t target[PARTS] = {ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE};
+    if (!zr_gltf_fields(file, json, path, &object, target)) return false;
+    for (int k = 0; weight != 0.0 && k < PARTS; k++) {
+        const struct zr_gltf_attribute of = {path, fields[k].key, target[k], ZR_GLTF_VEC3, making->vertices};
+        const uint32_t count = making->range.count;
+        if (target[k] == ZR_GLTF_NONE || !vectors[k]) continue;
+        zr_vec3 *differences = (zr_vec3 *)(void *)zr_gltf_read_vectors(file, &of, &making->range);
+        if (!differences) return false;
+        add(differences, count, (float)weight, vectors[k], steps[k]);
+        zr_arena_trim(file->json.arena, differences, count, 0, sizeof *differences);
+    }
+    return true;
 }
 
-bool zr_gltf_morph(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
-                   const struct zr_gltf_range *range, struct zr_mesh *mesh)
+bool zr_gltf_morph(struct zr_gltf *file, const struct zr_gltf_making *making)
 {
-    const struct zr_json_path *targets = ZR_JSON_KEY(path, "targets"), *weights = ZR_JSON_KEY(path->parent, "weights");
+    const struct zr_json_path *path = making->path, *targets = ZR_JSON_KEY(path, "targets"),
+                              *weights = ZR_JSON_KEY(path->parent, "weights");
+    const char *places = making->given->targets;
     const struct zr_gltf_pose *pose = file->uses[file->use].pose;
-    if (!given->targets || (!file->weights && !pose)) return true;
-    struct zr_json target = zr_json_at(&file->json, given->targets), weight = target;
+    if (!places || (!file->weights && !pose)) return true;
+    struct zr_json target = zr_json_at(&file->json, places), weight = target;
     if (!pose) weight = zr_json_at(&file->json, file->weights);
     if (!zr_json_list(&target, targets) || (!pose && !zr_json_list(&weight, weights))) return false;
     if (!pose) zr_json_enter(&weight, '[');
@@ -74,7 +64,7 @@ bool zr_gltf_morph(struct zr_gltf *file, const struct zr_json_path *path, const 
             factor = (double)pose->weights[i];
         else if (!zr_json_number_in(&weight, ZR_JSON_ITEM(weights, i), -WEIGHT_MAX, WEIGHT_MAX, &factor))
             return false;
-        if (!add_target(file, &target, ZR_JSON_ITEM(targets, i), factor, range, mesh)) return false;
+        if (!add_target(file, &target, ZR_JSON_ITEM(targets, i), factor, making)) return false;
     }
-    return zr_gltf_check_moved(file, path, mesh, "a morph target");
+    return zr_gltf_check_moved(file, path, making->mesh, "a morph target");
 }

@@ -89,9 +89,9 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
                                .matrix = zr_mat4_identity(),
                                .rotation = {0, 0, 0, 1},
                                .scale = {1, 1, 1}};
-    uint64_t keys;
     size_t children = 0;
-    zr_gltf_fields(file, json, path, &object, &given, &keys);
+    zr_gltf_fields(file, json, path, &object, &given);
+    const uint64_t keys = file->given;
     *node = (struct zr_node){.local = find_local(json, path, &given, keys), .mesh = ZR_NODE_NO_MESH};
     if (given.mesh != ZR_GLTF_NONE &&
         zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[MESH].key), given.mesh, ZR_GLTF_MESHES)) {
@@ -195,12 +195,11 @@ static void read_root(struct zr_gltf *file, struct zr_json *json, const struct z
 static void read_scene(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_scene given = {NULL};
-    uint64_t keys;
     if (number != file->scene) {
         zr_json_skip(json);
         return;
     }
-    zr_gltf_fields(file, json, path, &scene_object, &given, &keys);
+    zr_gltf_fields(file, json, path, &scene_object, &given);
     if (given.nodes) zr_gltf_read_items(file, given.nodes, ZR_JSON_KEY(path, scene_fields[0].key), read_root);
 }
 

@@ -39,10 +39,25 @@ struct zr_gltf_primitive {
     const struct zr_draco_mesh *draco; /* has the faces, instead of `indices`; or NULL */
 };
 
-/* Vertices that a primitive uses. */
-struct zr_gltf_range {
-    uint32_t first, count;
-    uint32_t all; /* elements of its attribute POSITION */
+/* A primitive while its mesh is made. */
+struct zr_gltf_making {
+    const struct zr_json_path *path, *attributes; /* of the primitive; of its attributes */
+    const struct zr_gltf_primitive *given;
+    struct zr_gltf_range range; /* vertices that the primitive uses */
+    uint32_t vertices;          /* elements of its attribute POSITION */
+    uint32_t *corners;          /* indices relative to range.first; NULL: consecutive vertices */
+    uint32_t corner_count;
+    uint32_t number; /* of the mesh in the scene */
+    struct zr_mesh *mesh;
+};
+
+/* An attribute of vertices, joints or instances. */
+struct zr_gltf_attribute {
+    const struct zr_json_path *path; /* of the object with the attributes */
+    const char *name;
+    uint32_t accessor;
+    int shape;      /* enum zr_gltf_shape */
+    uint32_t least; /* number of elements that are needed */
 };
 
 /* ---- gltf_attribute.c ---- */
@@ -54,24 +69,25 @@ void zr_gltf_read_attributes(struct zr_gltf *file, const struct zr_json_path *pa
 /* Returns the name of an attribute, and its offset in struct zr_gltf_attributes; NULL after the last one. */
 const char *zr_gltf_attribute_of(uint32_t number, size_t *offset);
 
-/* Opens an attribute of the primitive, of the type `shape` or `other`.
- * `path` leads to the object with the attributes. */
-bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_json_path *path, const char *name, uint32_t number,
-                            int shape, int other, uint32_t vertices, struct zr_gltf_values *out);
+/* Opens an attribute. */
+bool zr_gltf_open_attribute(struct zr_gltf *file, const struct zr_gltf_attribute *attribute,
+                            struct zr_gltf_values *out);
+
+/* Reads a range of an attribute of 3 or 4 finite floats, without gaps, to new memory. NULL after a fault. */
+float *zr_gltf_read_vectors(struct zr_gltf *file, const struct zr_gltf_attribute *attribute,
+                            const struct zr_gltf_range *range);
 
 /* ---- gltf_morph.c, gltf_skin.c: both change the positions, normals and tangents of a mesh ---- */
 
-/* Adds the primitive's targets, times the weights of the node or the mesh. `path` leads to the primitive. */
-bool zr_gltf_morph(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
-                   const struct zr_gltf_range *range, struct zr_mesh *mesh);
+/* Adds the primitive's targets, times the weights of the node or the mesh. */
+bool zr_gltf_morph(struct zr_gltf *file, const struct zr_gltf_making *making);
 
 /* Checks the moved vertices. `by`: the cause, such as "a skin". `path` leads to the primitive. */
 bool zr_gltf_check_moved(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_mesh *mesh,
                          const char *by);
 
 /* Moves vertices to world space by the joints of the entry of file->uses that is read now. */
-bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
-                  const struct zr_gltf_range *range, struct zr_mesh *mesh);
+bool zr_gltf_bend(struct zr_gltf *file, const struct zr_gltf_making *making);
 
 /* ---- gltf_primitive.c; gltf_topology.c ---- */
 
@@ -79,10 +95,9 @@ bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const s
 bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *path,
                             const struct zr_gltf_primitive *given, struct zr_mesh *mesh, uint32_t number);
 
-/* Makes faces, lines or points of `count` corners: the indices `corners`, or consecutive vertices if NULL. False if
- * memory is lacking, or if there are too few corners, which a warning counts. */
-bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_json_path *path, uint32_t mode, uint32_t *corners,
-                           uint32_t count, struct zr_mesh *mesh);
+/* Makes faces, lines or points of the corners. False if memory is lacking, or if there are too few corners, which a
+ * warning counts. */
+bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_gltf_making *making);
 
 /* ---- gltf_draco.c: KHR_draco_mesh_compression ---- */
 

@@ -115,8 +115,8 @@ static void place_far(struct zr_gltf *file, struct zr_nodes *hierarchy)
     if (!zr_arena_ok(json->arena) || zr_is_cancelled(json->cancel) || !expand(file, &placement, &exact)) return;
     far.instances = made->instances;
     far.exact = exact;
-    if (zr_recenter_instances(json->arena, json->cancel, json->limits, &far, &scene->origin, json->error) == ZR_OK &&
-        scene->origin) {
+    const struct zr_run run = zr_json_run(json);
+    if (zr_recenter_instances(&run, json->limits, &far, &scene->origin) == ZR_OK && scene->origin) {
         move_cameras(file, hierarchy->exact, scene->origin);
         move_lights(made, scene->origin);
     }

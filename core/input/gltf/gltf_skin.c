@@ -1,7 +1,6 @@
 /* Moves vertices by the joints of a skin of glTF, in the pose of the nodes. Source: glTF 2.0, section 3.7.3. */
 #include "input/gltf/gltf_parts.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "base/cancel.h"
@@ -32,9 +31,8 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF("skin", fields);
 static void read_skin(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct zr_gltf_skin *skin = &file->skins[number];
-    uint64_t keys;
     *skin = (struct zr_gltf_skin){.inverse = ZR_GLTF_NONE};
-    zr_gltf_fields(file, json, path, &object, skin, &keys);
+    zr_gltf_fields(file, json, path, &object, skin);
 }
 
 bool zr_gltf_read_skins(struct zr_gltf *file)
@@ -54,10 +52,11 @@ static bool read_inverses(struct zr_gltf *file, const struct zr_json_path *path,
         skin->matrices[i] = zr_mat4_identity();
     if (skin->inverse == ZR_GLTF_NONE) return true;
     const struct zr_json_path *at = ZR_JSON_KEY(path, fields[INVERSE].key);
-    return zr_gltf_open_attribute(file, path, fields[INVERSE].key, skin->inverse, ZR_GLTF_MAT4, ZR_GLTF_MAT4,
-                                  skin->count, &values) &&
-           (values.accessor->type == ZR_GLTF_FLOAT32 || zr_json_fault(&file->json, at, "floats are needed")) &&
-           zr_gltf_read_floats(file, &values, 0, skin->count, (double)ZR_MATRIX_MAX, skin->matrices[0].m, 16);
+    const struct zr_gltf_attribute of = {path, fields[INVERSE].key, skin->inverse, ZR_GLTF_MAT4, skin->count};
+    if (!zr_gltf_open_attribute(file, &of, &values)) return false;
+    if (values.accessor->type != ZR_GLTF_FLOAT32) return zr_json_fault(&file->json, at, "floats are needed");
+    values.limit = (double)ZR_MATRIX_MAX;
+    return zr_gltf_read_floats(file, &values, &(struct zr_gltf_range){0, skin->count}, skin->matrices[0].m, 16);
 }
 
 static bool make_matrices(struct zr_gltf *file, uint32_t number, struct zr_gltf_skin *skin)
@@ -86,25 +85,26 @@ struct influences {
     float *joints, *weights;
 };
 
-static bool read_influences(struct zr_gltf *file, const struct zr_json_path *path, uint32_t joints, uint32_t weights,
-                            int set, const struct zr_gltf_range *range, struct influences *out)
+static bool read_influences(struct zr_gltf *file, const struct zr_gltf_making *making, int set, struct influences *out)
 {
     static const char *const joint_names[] = {"JOINTS_0", "JOINTS_1"}, *const weight_names[] = {"WEIGHTS_0",
                                                                                                 "WEIGHTS_1"};
+    const struct zr_gltf_attributes *numbers = &making->given->attributes;
+    const struct zr_gltf_attribute joints = {making->attributes, joint_names[set], numbers->joints[set], ZR_GLTF_VEC4,
+                                             making->vertices},
+                                   weights = {making->attributes, weight_names[set], numbers->weights[set],
+                                              ZR_GLTF_VEC4, making->vertices};
+    const struct zr_gltf_range *range = &making->range;
     struct zr_gltf_values of_joints, of_weights;
-    if (!zr_gltf_open_attribute(file, path, joint_names[set], joints, ZR_GLTF_VEC4, ZR_GLTF_VEC4, range->all,
-                                &of_joints) ||
-        !zr_gltf_open_attribute(file, path, weight_names[set], weights, ZR_GLTF_VEC4, ZR_GLTF_VEC4, range->all,
-                                &of_weights))
+    if (!zr_gltf_open_attribute(file, &joints, &of_joints) || !zr_gltf_open_attribute(file, &weights, &of_weights))
         return false;
     of_joints.is_normalized = false;
     of_weights.is_normalized = true;
     if (!zr_gltf_note_bytes(file, 2 * range->count * sizeof(zr_vec4))) return false;
     out->joints = zr_arena_alloc(file->json.arena, range->count, sizeof(zr_vec4));
     out->weights = zr_arena_alloc(file->json.arena, range->count, sizeof(zr_vec4));
-    return out->joints && out->weights &&
-           zr_gltf_read_floats(file, &of_joints, range->first, range->count, (double)FLT_MAX, out->joints, 4) &&
-           zr_gltf_read_floats(file, &of_weights, range->first, range->count, (double)FLT_MAX, out->weights, 4);
+    return out->joints && out->weights && zr_gltf_read_floats(file, &of_joints, range, out->joints, 4) &&
+           zr_gltf_read_floats(file, &of_weights, range, out->weights, 4);
 }
 
 /* Adds the vertex's weighted matrices to *sum, and its weights to *weight. False if the skin has no such joint. */
@@ -150,10 +150,9 @@ static bool move(const struct zr_gltf_skin *skin, const struct influences of[2],
     return true;
 }
 
-bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_primitive *given,
-                  const struct zr_gltf_range *range, struct zr_mesh *mesh)
+bool zr_gltf_bend(struct zr_gltf *file, const struct zr_gltf_making *making)
 {
-    const struct zr_gltf_attributes *attributes = &given->attributes;
+    const struct zr_gltf_range *range = &making->range;
     const uint32_t number = file->uses[file->use].skin;
     struct influences of[2];
     int sets = 0;
@@ -161,17 +160,16 @@ bool zr_gltf_bend(struct zr_gltf *file, const struct zr_json_path *path, const s
     struct zr_gltf_skin *skin = &file->skins[number];
     if (!skin->matrices && !skin->is_refused) skin->is_refused = !make_matrices(file, number, skin);
     if (skin->is_refused) return false;
-    for (; sets < 2 && attributes->joints[sets] != ZR_GLTF_NONE; sets++)
-        if (!read_influences(file, path, attributes->joints[sets], attributes->weights[sets], sets, range, &of[sets]))
-            return false;
+    for (; sets < 2 && making->given->attributes.joints[sets] != ZR_GLTF_NONE; sets++)
+        if (!read_influences(file, making, sets, &of[sets])) return false;
     for (uint32_t i = 0; i < range->count; i++) {
         if (i % AT_ONCE == 0 && zr_is_cancelled(file->json.cancel)) return false;
-        if (!move(skin, of, sets, i, mesh))
-            return zr_json_fault(&file->json, ZR_JSON_KEY(path, "JOINTS_0"),
+        if (!move(skin, of, sets, i, making->mesh))
+            return zr_json_fault(&file->json, ZR_JSON_KEY(making->attributes, "JOINTS_0"),
                                  "vertex %u has a joint beyond the %u joints of skin %u", range->first + i, skin->count,
                                  number);
     }
-    return zr_gltf_check_moved(file, path->parent, mesh, "a skin");
+    return zr_gltf_check_moved(file, making->path, making->mesh, "a skin");
 }
 
 bool zr_gltf_check_moved(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_mesh *mesh,

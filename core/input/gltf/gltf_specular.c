@@ -33,10 +33,8 @@ enum { TEXTURES = 1 << 2 | 1 << 3 };
 static void read_ior(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                      struct zr_parsed_material *out)
 {
-    struct zr_json there = zr_json_at(&file->json, place);
     struct given_reflectance given = {.ior = 1.5};
-    uint64_t keys;
-    zr_gltf_fields(file, &there, path, &ior_object, &given, &keys);
+    zr_gltf_fields_at(file, place, path, &ior_object, &given);
     out->ior = given.ior == 0.0 ? FLT_MAX
                                 : (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "ior"), given.ior, 1.0, (double)FLT_MAX);
     out->keys |= UINT64_C(1) << ZR_MATERIAL_IOR;
@@ -46,13 +44,11 @@ void zr_gltf_read_reflectance(struct zr_gltf *file, const struct zr_json_path *p
                               const char *specular, struct zr_parsed_material *out)
 {
     struct given_reflectance given = {1.5, 1, {1, 1, 1}};
-    uint64_t keys = 0;
     if (ior) read_ior(file, ZR_JSON_KEY(path, ior_object.name), ior, out);
     if (!specular) return;
     const struct zr_json_path *at = ZR_JSON_KEY(path, specular_object.name);
-    struct zr_json there = zr_json_at(&file->json, specular);
-    zr_gltf_fields(file, &there, at, &specular_object, &given, &keys);
-    if (keys & TEXTURES) zr_gltf_note(&file->specular_textures, at);
+    zr_gltf_fields_at(file, specular, at, &specular_object, &given);
+    if (file->given & TEXTURES) zr_gltf_note(&file->specular_textures, at);
     out->specular_factor = (float)zr_gltf_clamp(file, ZR_JSON_KEY(at, "specularFactor"), given.factor, 0.0, 1.0);
     for (int k = 0; k < 3; k++)
         given.color[k] =
@@ -138,12 +134,10 @@ static void read_textures(struct zr_gltf *file, const struct zr_json_path *path,
 void zr_gltf_read_glossiness(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                              struct zr_gltf_glossiness *out)
 {
-    struct zr_json there = zr_json_at(&file->json, place);
     struct given_glossiness given = {{1, 1, 1, 1}, {1, 1, 1}, 1, NULL, NULL};
     struct zr_gltf_gloss factors;
-    uint64_t keys;
     *out = (struct zr_gltf_glossiness){.roughness = 1};
-    zr_gltf_fields(file, &there, path, &glossiness_object, &given, &keys);
+    zr_gltf_fields_at(file, place, path, &glossiness_object, &given);
     for (int k = 0; k < 4; k++)
         given.diffuse[k] = zr_gltf_clamp(file, ZR_JSON_KEY(path, "diffuseFactor"), given.diffuse[k], 0.0, 1.0);
     for (int k = 0; k < 3; k++) {

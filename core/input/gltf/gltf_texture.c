@@ -7,16 +7,13 @@
 
 /* ---- samplers ---- */
 
-struct given_sampler {
-    uint32_t magnify, minify, wrap_s, wrap_t;
-};
-enum { MAGNIFY, MINIFY, WRAP_S, WRAP_T };
-#define AT(member) offsetof(struct given_sampler, member)
+enum { MAGNIFY, MINIFY, WRAP_S, WRAP_T, NUMBERS };
+#define AT(key) ((key) * sizeof(uint32_t))
 static const struct zr_json_field sampler_fields[] = {
-    [MAGNIFY] = {.key = "magFilter", .read = zr_json_whole, .offset = AT(magnify)},
-    [MINIFY] = {.key = "minFilter", .read = zr_json_whole, .offset = AT(minify)},
-    [WRAP_S] = {.key = "wrapS", .read = zr_json_whole, .offset = AT(wrap_s)},
-    [WRAP_T] = {.key = "wrapT", .read = zr_json_whole, .offset = AT(wrap_t)},
+    [MAGNIFY] = {.key = "magFilter", .read = zr_json_whole, .offset = AT(MAGNIFY)},
+    [MINIFY] = {.key = "minFilter", .read = zr_json_whole, .offset = AT(MINIFY)},
+    [WRAP_S] = {.key = "wrapS", .read = zr_json_whole, .offset = AT(WRAP_S)},
+    [WRAP_T] = {.key = "wrapT", .read = zr_json_whole, .offset = AT(WRAP_T)},
     ZR_GLTF_NAME,
     ZR_GLTF_COMMON};
 #undef AT
@@ -25,30 +22,22 @@ static const struct zr_json_object sampler_object = ZR_JSON_OBJECT_OF("sampler",
 static const struct zr_parsed_sampler sampler_default = {ZR_FILTER_LINEAR, ZR_FILTER_LINEAR_MIPMAP_LINEAR,
                                                          ZR_WRAP_REPEAT, ZR_WRAP_REPEAT};
 
-/* Sets a filter or a wrap mode to `found` if its number is given. Refuses values outside 0 to end - 1. */
-static void set(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int key, uint32_t number,
-                int found, int end, int *out)
-{
-    if (!zr_json_gives(keys, key)) return;
-    if (found >= 0 && found < end)
-        *out = found;
-    else
-        zr_json_fault(json, ZR_JSON_KEY(path, sampler_fields[key].key), "%u is none of the numbers that glTF has",
-                      number);
-}
-
 static void read_sampler(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
-    struct zr_parsed_sampler *out = &file->samplers[number];
-    struct given_sampler given = {0, 0, 0, 0};
-    uint64_t keys;
-    *out = sampler_default;
-    zr_gltf_fields(file, json, path, &sampler_object, &given, &keys);
-    set(json, path, keys, MAGNIFY, given.magnify, zr_filter_of_number(given.magnify), ZR_FILTER_NEAREST_MIPMAP_NEAREST,
-        &out->magnify);
-    set(json, path, keys, MINIFY, given.minify, zr_filter_of_number(given.minify), ZR_FILTER_COUNT, &out->minify);
-    set(json, path, keys, WRAP_S, given.wrap_s, zr_wrap_of_number(given.wrap_s), ZR_WRAP_COUNT, &out->wrap_s);
-    set(json, path, keys, WRAP_T, given.wrap_t, zr_wrap_of_number(given.wrap_t), ZR_WRAP_COUNT, &out->wrap_t);
+    uint32_t given[NUMBERS] = {[MAGNIFY] = zr_filter_numbers[sampler_default.magnify],
+                               [MINIFY] = zr_filter_numbers[sampler_default.minify],
+                               [WRAP_S] = zr_wrap_numbers[sampler_default.wrap_s],
+                               [WRAP_T] = zr_wrap_numbers[sampler_default.wrap_t]};
+    zr_gltf_fields(file, json, path, &sampler_object, given);
+    const int found[NUMBERS] = {[MAGNIFY] = zr_filter_of_number(given[MAGNIFY]),
+                                [MINIFY] = zr_filter_of_number(given[MINIFY]),
+                                [WRAP_S] = zr_wrap_of_number(given[WRAP_S]),
+                                [WRAP_T] = zr_wrap_of_number(given[WRAP_T])};
+    for (int key = 0; key < NUMBERS; key++)
+        if (found[key] < 0 || (key == MAGNIFY && zr_filter_has_levels((enum zr_filter)found[key])))
+            zr_json_fault(json, ZR_JSON_KEY(path, sampler_fields[key].key), "%u is none of the numbers that glTF has",
+                          given[key]);
+    file->samplers[number] = (struct zr_parsed_sampler){found[MAGNIFY], found[MINIFY], found[WRAP_S], found[WRAP_T]};
 }
 
 /* ---- images ---- */
@@ -67,9 +56,8 @@ static const struct zr_json_object image_object = ZR_JSON_OBJECT_OF("image", ima
 static void read_image(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct zr_gltf_image *image = &file->images[number];
-    uint64_t keys;
     image->view = ZR_GLTF_NONE;
-    zr_gltf_fields(file, json, path, &image_object, image, &keys);
+    zr_gltf_fields(file, json, path, &image_object, image);
 }
 
 static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_image *image)
@@ -142,11 +130,9 @@ static void read_webp(struct zr_gltf *file, const struct zr_json_path *path, con
 {
     const char *webp = NULL;
     uint32_t source = ZR_GLTF_NONE;
-    uint64_t keys;
     zr_gltf_find_extension(file, path, extensions, webp_object.name, &webp);
     if (!webp) return;
-    struct zr_json there = zr_json_at(&file->json, webp);
-    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, webp_object.name), &webp_object, &source, &keys);
+    zr_gltf_fields_at(file, webp, ZR_JSON_KEY(path, webp_object.name), &webp_object, &source);
     if (source == ZR_GLTF_NONE) return;
     texture->source = source;
     file->has_fallbacks = true;
@@ -156,8 +142,7 @@ static void read_texture(struct zr_gltf *file, struct zr_json *json, const struc
 {
     struct listed_texture given = {{ZR_GLTF_NONE, ZR_GLTF_NONE}, NULL};
     struct zr_gltf_texture *texture = &file->textures[number];
-    uint64_t keys;
-    zr_gltf_fields(file, json, path, &texture_object, &given, &keys);
+    zr_gltf_fields(file, json, path, &texture_object, &given);
     *texture = given.texture;
     if (given.extensions) read_webp(file, ZR_JSON_KEY(path, "extensions"), given.extensions, texture);
     if (texture->sampler != ZR_GLTF_NONE)
@@ -204,11 +189,9 @@ static void read_transform(struct zr_gltf *file, const struct zr_json_path *path
 {
     const char *transform = NULL;
     struct given_transform given = {.scale = {1, 1}, .texcoord = out->texcoord};
-    uint64_t keys;
     zr_gltf_find_extension(file, path, extensions, transform_object.name, &transform);
     if (!transform) return;
-    struct zr_json there = zr_json_at(&file->json, transform);
-    zr_gltf_fields(file, &there, ZR_JSON_KEY(path, transform_object.name), &transform_object, &given, &keys);
+    zr_gltf_fields_at(file, transform, ZR_JSON_KEY(path, transform_object.name), &transform_object, &given);
     memcpy(out->offset, given.offset, sizeof out->offset);
     memcpy(out->scale, given.scale, sizeof out->scale);
     out->rotation = given.rotation;
@@ -270,10 +253,8 @@ bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, 
 bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
                           enum zr_texture_slot slot, struct zr_parsed_texture *out, struct zr_texture *texture)
 {
-    struct zr_json there = zr_json_at(&file->json, place);
     struct given_texture given = {.scale = 1, .strength = 1};
-    uint64_t keys;
-    if (!zr_gltf_fields(file, &there, path, &info_object, &given, &keys)) return false;
+    if (!zr_gltf_fields_at(file, place, path, &info_object, &given)) return false;
     *out = (struct zr_parsed_texture){.is_given = true,
                                       .scale = {1, 1},
                                       .texcoord = given.texcoord,

@@ -58,15 +58,17 @@ static const uint32_t *list(struct zr_gltf *file, const uint32_t *corners, uint3
     return numbers;
 }
 
-bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_json_path *path, uint32_t mode, uint32_t *corners,
-                           uint32_t count, struct zr_mesh *mesh)
+bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_gltf_making *making)
 {
+    uint32_t *corners = making->corners;
+    const uint32_t mode = making->given->mode, count = making->corner_count;
+    struct zr_mesh *mesh = making->mesh;
     static const uint32_t least[] = {1, 2, 2, 2, 3, 3, 3}, step[] = {1, 2, 1, 1, 3, 1, 1};
     if (count < least[mode]) {
-        zr_gltf_note(&file->empty, path);
+        zr_gltf_note(&file->empty, making->path);
         return false;
     }
-    if (count % step[mode] != 0) zr_gltf_note(&file->left_over, path);
+    if (count % step[mode] != 0) zr_gltf_note(&file->left_over, making->path);
     switch (mode) {
     case ZR_GLTF_POINTS:
         mesh->points = list(file, corners, count);

@@ -63,14 +63,21 @@ static uint32_t read_index(const unsigned char *at, uint32_t type)
 
 /* ---- floats ---- */
 
+/* Elements of one type. */
+struct elements {
+    const unsigned char *at;
+    size_t stride;
+    uint32_t type, width;
+    bool is_normalized;
+};
+
 /* Reads `count` elements. It is inlined per type and width, so that frequent ones become short loops. */
-static inline void read_elements(const unsigned char *at, size_t stride, uint32_t type, bool is_normalized,
-                                 uint32_t width, uint32_t count, float *out, size_t step)
+static inline void read_elements(struct elements of, uint32_t count, float *out, size_t step)
 {
-    const size_t size = zr_gltf_type_bytes(type);
-    for (uint32_t i = 0; i < count; i++, at += stride, out += step)
-        for (uint32_t k = 0; k < width; k++)
-            out[k] = read_number(at + k * size, type, is_normalized);
+    const size_t size = zr_gltf_type_bytes(of.type);
+    for (uint32_t i = 0; i < count; i++, of.at += of.stride, out += step)
+        for (uint32_t k = 0; k < of.width; k++)
+            out[k] = read_number(of.at + k * size, of.type, of.is_normalized);
 }
 
 static void read_run(const struct zr_gltf_values *values, const unsigned char *at, uint32_t count, float *out,
@@ -78,11 +85,12 @@ static void read_run(const struct zr_gltf_values *values, const unsigned char *a
 {
     const uint32_t type = values->accessor->type;
     if (type == ZR_GLTF_FLOAT32 && values->width == 3)
-        read_elements(at, values->stride, ZR_GLTF_FLOAT32, false, 3, count, out, step);
+        read_elements((struct elements){at, values->stride, ZR_GLTF_FLOAT32, 3, false}, count, out, step);
     else if (type == ZR_GLTF_FLOAT32 && values->width == 2)
-        read_elements(at, values->stride, ZR_GLTF_FLOAT32, false, 2, count, out, step);
+        read_elements((struct elements){at, values->stride, ZR_GLTF_FLOAT32, 2, false}, count, out, step);
     else
-        read_elements(at, values->stride, type, values->is_normalized, values->width, count, out, step);
+        read_elements((struct elements){at, values->stride, type, values->width, values->is_normalized}, count, out,
+                      step);
 }
 
 static void put_zeros(uint32_t width, uint32_t count, float *out, size_t step)
@@ -111,9 +119,9 @@ static const struct zr_json_path *path_of(const struct zr_gltf_values *values, s
     return &room[1];
 }
 
-static bool refuse(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t element, const float *at,
-                   double limit)
+static bool refuse(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t element, const float *at)
 {
+    const double limit = values->limit;
     struct zr_json_path room[2];
     for (uint32_t k = 0; k < values->width; k++)
         if (!((double)at[k] >= -limit && (double)at[k] <= limit))
@@ -131,8 +139,8 @@ static bool refuse_sparse(struct zr_gltf *file, const struct zr_gltf_values *val
                          "index %u is %u, of %u elements; indices must rise", k, index, values->count);
 }
 
-/* Calls `put` for each sparse element. */
-static bool put_sparse(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t first, uint32_t count,
+/* Puts the sparse elements of the range. */
+static bool put_sparse(struct zr_gltf *file, const struct zr_gltf_values *values, const struct zr_gltf_range *range,
                        float *out, size_t step)
 {
     const struct zr_gltf_accessor *accessor = values->accessor;
@@ -143,17 +151,19 @@ static bool put_sparse(struct zr_gltf *file, const struct zr_gltf_values *values
         const uint32_t index = read_index(values->sparse_indices + k * index_size, sparse->indices_type);
         if (index >= values->count || (k > 0 && index <= before)) return refuse_sparse(file, values, k, index);
         before = index;
-        if (index >= first && index - first < count)
-            read_elements(values->sparse_values + k * size, size, accessor->type, values->is_normalized, values->width,
-                          1, out + (index - first) * step, step);
+        const struct elements of = {values->sparse_values + k * size, size, accessor->type, values->width,
+                                    values->is_normalized};
+        if (index >= range->first && index - range->first < range->count)
+            read_elements(of, 1, out + (index - range->first) * step, step);
         if (k % AT_ONCE == AT_ONCE - 1 && zr_is_cancelled(file->json.cancel)) return false;
     }
     return true;
 }
 
-bool zr_gltf_read_floats(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t first, uint32_t count,
-                         double limit, float *out, size_t step)
+bool zr_gltf_read_floats(struct zr_gltf *file, const struct zr_gltf_values *values, const struct zr_gltf_range *range,
+                         float *out, size_t step)
 {
+    const uint32_t first = range->first, count = range->count;
     for (uint32_t at = 0; at < count; at += AT_ONCE) {
         const uint32_t run = count - at < AT_ONCE ? count - at : AT_ONCE;
         if (zr_is_cancelled(file->json.cancel)) return false;
@@ -162,11 +172,11 @@ bool zr_gltf_read_floats(struct zr_gltf *file, const struct zr_gltf_values *valu
         else
             put_zeros(values->width, run, out + at * step, step);
     }
-    if (values->sparse_indices && !put_sparse(file, values, first, count, out, step)) return false;
+    if (values->sparse_indices && !put_sparse(file, values, range, out, step)) return false;
     for (uint32_t at = 0; at < count; at += AT_ONCE) {
         const uint32_t run = count - at < AT_ONCE ? count - at : AT_ONCE;
-        const uint32_t bad = find_bad(out + at * step, step, values->width, run, (float)limit);
-        if (bad < run) return refuse(file, values, first + at + bad, out + (at + bad) * step, limit);
+        const uint32_t bad = find_bad(out + at * step, step, values->width, run, (float)values->limit);
+        if (bad < run) return refuse(file, values, first + at + bad, out + (at + bad) * step);
         if (zr_is_cancelled(file->json.cancel)) return false;
     }
     return true;
@@ -204,12 +214,11 @@ static void copy_indices(const struct zr_gltf_values *values, uint32_t first, ui
 }
 
 bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t end, uint32_t *out,
-                          uint32_t *low, uint32_t *high)
+                          struct zr_gltf_range *range)
 {
     const uint32_t type = values->accessor->type;
     struct zr_json_path room[2];
-    *low = UINT32_MAX;
-    *high = 0;
+    uint32_t low = UINT32_MAX, high = 0;
     if (values->width != 1 || (type != ZR_GLTF_UINT8 && type != ZR_GLTF_UINT16 && type != ZR_GLTF_UINT32))
         return zr_json_fault(&file->json, path_of(values, room),
                              "indices are SCALAR with the componentType 5121, 5123 or 5125");
@@ -223,10 +232,11 @@ bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *val
     }
     if (values->sparse_indices && !put_sparse_indices(file, values, out)) return false;
     for (uint32_t i = 0; i < values->count; i++) {
-        *low = out[i] < *low ? out[i] : *low;
-        *high = out[i] > *high ? out[i] : *high;
+        low = out[i] < low ? out[i] : low;
+        high = out[i] > high ? out[i] : high;
     }
-    if (*high < end || values->count == 0) return true;
+    *range = values->count == 0 ? (struct zr_gltf_range){0, 0} : (struct zr_gltf_range){low, high - low + 1};
+    if (high < end || values->count == 0) return true;
     uint32_t bad = 0;
     while (out[bad] < end)
         bad++;

@@ -18,6 +18,7 @@
 #include <stddef.h>
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/status.h"
 #include "core.h"
 #include "input/json/json_text.h"
@@ -65,6 +66,12 @@ void zr_json_open(struct zr_json *json, const char *bytes, size_t size);
  * error alone in *json->error; the status of *json->error; ZR_NO_MEMORY; or ZR_CANCELLED. Excessive depth and U+0000 in
  * a string are ZR_BAD_SCENE; the text after them is not parsed. */
 enum zr_status zr_json_close(struct zr_json *json);
+
+/* Returns the run of functions that read parts of the text. */
+static inline struct zr_run zr_json_run(const struct zr_json *json)
+{
+    return (struct zr_run){json->arena, json->arena, json->team, json->cancel, json->error};
+}
 
 /* Returns a reader of the same text at the place of a value that was skipped before. */
 static inline struct zr_json zr_json_at(const struct zr_json *json, const char *place)

@@ -60,6 +60,7 @@ struct zr_json_object {
     const char *name;
     size_t count;
     const struct zr_json_field *fields;
+    bool is_open;   /* of glTF: unknown keys are expected, and not counted for a warning */
     bool has_types; /* the first key is the type, an int that is -1 until it is read; see `of` */
     size_t rule_count;
     const struct zr_json_rule *rules; /* a key that broke one is not reported for a later one */

@@ -36,15 +36,14 @@ static bool find_box(const struct zr_cancel *cancel, const zr_vec4 *positions, s
     return true;
 }
 
-enum zr_status zr_recenter_move_floats(struct zr_arena *arena, const struct zr_cancel *cancel,
-                                       const struct zr_limits *limits, zr_vec4 *positions, size_t count,
-                                       const struct zr_recenter_move **move, struct zr_error *error)
+enum zr_status zr_recenter_move_floats(const struct zr_run *run, const struct zr_limits *limits, zr_vec4 *positions,
+                                       size_t count, const struct zr_recenter_move **move)
 {
-    struct zr_recenter_move *made = zr_arena_zero(arena, 1, sizeof *made);
+    struct zr_recenter_move *made = zr_arena_zero(run->arena, 1, sizeof *made);
     *move = NULL;
     if (!made) return ZR_NO_MEMORY;
-    if (!find_box(cancel, positions, count, &made->box)) return ZR_CANCELLED;
-    const enum zr_status status = zr_recenter_shift(arena, cancel, limits, positions, count, &made->by, error);
+    if (!find_box(run->cancel, positions, count, &made->box)) return ZR_CANCELLED;
+    const enum zr_status status = zr_recenter_shift(run, limits, positions, count, &made->by);
     if (made->by) *move = made;
     return status;
 }
@@ -107,25 +106,24 @@ static zr_mat4 matrix_of(const struct zr_matrix *exact, const struct zr_recenter
     return out;
 }
 
-enum zr_status zr_recenter_instances(struct zr_arena *arena, const struct zr_cancel *cancel,
-                                     const struct zr_limits *limits, const struct zr_recenter_scene *scene,
-                                     const double **origin, struct zr_error *error)
+enum zr_status zr_recenter_instances(const struct zr_run *run, const struct zr_limits *limits,
+                                     const struct zr_recenter_scene *scene, const double **origin)
 {
     uint32_t meshes = 0;
     *origin = NULL;
     for (uint32_t i = 0; i < scene->count; i++)
         if (scene->instances[i].mesh >= meshes) meshes = scene->instances[i].mesh + 1;
-    struct zr_box *boxes = zr_arena_alloc(arena, meshes, sizeof *boxes), all = zr_box_empty();
+    struct zr_box *boxes = zr_arena_alloc(run->arena, meshes, sizeof *boxes), all = zr_box_empty();
     if (!boxes) return ZR_NO_MEMORY;
-    if (!find_boxes(cancel, scene, boxes)) return ZR_CANCELLED;
+    if (!find_boxes(run->cancel, scene, boxes)) return ZR_CANCELLED;
     for (uint32_t i = 0; i < scene->count; i++) {
-        if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (i % AT_ONCE == 0 && zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
         include_corners(&all, &boxes[scene->instances[i].mesh], &scene->exact[i]);
     }
     if (!is_moved(scene) && !has_far_middle(&all, (double)limits->coordinate_max)) return ZR_OK;
-    const enum zr_status status = zr_recenter_origin(arena, &all, limits, origin, error);
+    const enum zr_status status = zr_recenter_origin(run->arena, &all, limits, origin, run->error);
     for (uint32_t i = 0; status == ZR_OK && i < scene->count; i++) {
-        if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (i % AT_ONCE == 0 && zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
         scene->instances[i].object_to_world =
             matrix_of(&scene->exact[i], scene->moves[scene->instances[i].mesh], *origin);
     }

@@ -31,14 +31,12 @@ struct zr_recenter_scene {
 bool zr_recenter_instances_needed(const struct zr_recenter_scene *scene, const struct zr_limits *limits);
 
 /* Subtracts the middle of positions that are floats in the file, if they are far. *move: NULL, or in the arena. */
-enum zr_status zr_recenter_move_floats(struct zr_arena *arena, const struct zr_cancel *cancel,
-                                       const struct zr_limits *limits, zr_vec4 *positions, size_t count,
-                                       const struct zr_recenter_move **move, struct zr_error *error);
+enum zr_status zr_recenter_move_floats(const struct zr_run *run, const struct zr_limits *limits, zr_vec4 *positions,
+                                       size_t count, const struct zr_recenter_move **move);
 
 /* Sets the matrices of the instances, and *origin, which is NULL if nothing is subtracted. Refuses a scene that has
  * moved meshes and is too large. */
-enum zr_status zr_recenter_instances(struct zr_arena *arena, const struct zr_cancel *cancel,
-                                     const struct zr_limits *limits, const struct zr_recenter_scene *scene,
-                                     const double **origin, struct zr_error *error);
+enum zr_status zr_recenter_instances(const struct zr_run *run, const struct zr_limits *limits,
+                                     const struct zr_recenter_scene *scene, const double **origin);
 
 #endif

@@ -121,8 +121,7 @@ static bool color_part(void *context, size_t part)
     return true;
 }
 
-static enum zr_status read_colors(struct zr_scene_builder *builder, struct binary *binary, const char *header,
-                                  const struct zr_cancel *cancel, size_t parts)
+static enum zr_status read_colors(const struct zr_run *run, struct binary *binary, const char *header, size_t parts)
 {
     const struct zr_stl_attributes bits = {.any = (uint16_t)binary->any,
                                            .all = (uint16_t)binary->all,
@@ -130,32 +129,32 @@ static enum zr_status read_colors(struct zr_scene_builder *builder, struct binar
                                            .colored = (uint16_t)binary->colored};
     binary->colors = zr_stl_colors_of(header, &bits);
     if (binary->colors.dialect == ZR_STL_PLAIN) return ZR_OK;
-    binary->face_colors = zr_arena_alloc(builder->arena, binary->count, sizeof *binary->face_colors);
+    binary->face_colors = zr_arena_alloc(run->arena, binary->count, sizeof *binary->face_colors);
     if (!binary->face_colors) return ZR_NO_MEMORY;
-    return zr_parts_read(builder->team, cancel, 0, parts, color_part, binary) < parts ? ZR_CANCELLED : ZR_OK;
+    return zr_parts_read(run->team, run->cancel, 0, parts, color_part, binary) < parts ? ZR_CANCELLED : ZR_OK;
 }
 
 static enum zr_status read_binary(struct zr_scene_builder *builder, const struct zr_request *request,
-                                  const struct zr_limits *limits, size_t count, struct zr_stl *out,
-                                  struct zr_error *error)
+                                  const struct zr_limits *limits, struct zr_stl *out, struct zr_error *error)
 {
+    const struct zr_run run = {builder->arena, builder->arena, builder->team, request->cancel, error};
+    const size_t count = read_u32(request->bytes + HEADER_BYTES);
     struct binary binary = {.limits = limits,
                             .triangles = request->bytes + COUNT_END,
                             .count = count,
-                            .positions = zr_arena_alloc(builder->arena, count * 3, sizeof *binary.positions),
+                            .positions = zr_arena_alloc(run.arena, count * 3, sizeof *binary.positions),
                             .all = UINT16_MAX};
     if (!binary.positions) return ZR_NO_MEMORY;
     const size_t parts = (count + PART_TRIANGLES - 1) / PART_TRIANGLES;
-    const size_t failed = zr_parts_read(builder->team, request->cancel, 0, parts, read_part, &binary);
-    if (zr_is_cancelled(request->cancel)) return ZR_CANCELLED;
+    const size_t failed = zr_parts_read(run.team, run.cancel, 0, parts, read_part, &binary);
+    if (zr_is_cancelled(run.cancel)) return ZR_CANCELLED;
     if (failed < parts) {
         read_triangles(&binary, failed * PART_TRIANGLES, count, ZR_ERROR_ITEMS, error);
         return error->status;
     }
-    enum zr_status status = read_colors(builder, &binary, request->bytes, request->cancel, parts);
+    enum zr_status status = read_colors(&run, &binary, request->bytes, parts);
     if (status == ZR_OK && binary.is_far)
-        status = zr_recenter_shift(builder->arena, request->cancel, limits, binary.positions, count * 3,
-                                   &builder->scene->origin, error);
+        status = zr_recenter_shift(&run, limits, binary.positions, count * 3, &builder->scene->origin);
     *out = (struct zr_stl){3 * count, count, binary.positions, NULL, binary.face_colors};
     return status;
 }
@@ -246,7 +245,7 @@ static enum zr_status read_any(struct zr_scene_builder *builder, const struct zr
         zr_warning_list_add(builder->arena, &builder->warnings,
                             "STL: %llu byte%s behind the last of %u triangles ignored",
                             (unsigned long long)(size - wanted), size - wanted == 1 ? "" : "s", count);
-    return read_binary(builder, request, limits, count, out, error);
+    return read_binary(builder, request, limits, out, error);
 }
 
 enum zr_status zr_read_STL(struct zr_scene_builder *builder, const struct zr_request *request,

@@ -27,19 +27,19 @@ enum zr_status zr_recenter_origin(struct zr_arena *arena, const struct zr_box *b
 /* Positions between two checks of `cancel`: less than a millisecond. */
 enum { AT_ONCE = 1 << 14 };
 
-enum zr_status zr_recenter_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
-                                 zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error)
+enum zr_status zr_recenter_shift(const struct zr_run *run, const struct zr_limits *limits, zr_vec4 *positions,
+                                 size_t count, const double **origin)
 {
     struct zr_box box = zr_box_empty();
     for (size_t i = 0; i < count; i++) {
         const double v[3] = {(double)positions[i].x, (double)positions[i].y, (double)positions[i].z};
-        if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (i % AT_ONCE == 0 && zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
         zr_box_include(&box, v);
     }
-    const enum zr_status status = zr_recenter_origin(arena, &box, limits, origin, error);
+    const enum zr_status status = zr_recenter_origin(run->arena, &box, limits, origin, run->error);
     for (size_t i = 0; status == ZR_OK && *origin && i < count; i++) {
         const double v[3] = {(double)positions[i].x, (double)positions[i].y, (double)positions[i].z};
-        if (i % AT_ONCE == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        if (i % AT_ONCE == 0 && zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
         positions[i] = zr_recenter_position(v, *origin);
     }
     return status;

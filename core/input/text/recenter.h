@@ -15,6 +15,7 @@
 #include <stdbool.h>
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/status.h"
 #include "base/vec.h"
 #include "core.h"
@@ -67,7 +68,7 @@ enum zr_status zr_recenter_origin(struct zr_arena *arena, const struct zr_box *b
                                   const double **origin, struct zr_error *error);
 
 /* Finds and subtracts the origin of `count` positions that are floats in the file. All of them are drawn. */
-enum zr_status zr_recenter_shift(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_limits *limits,
-                                 zr_vec4 *positions, size_t count, const double **origin, struct zr_error *error);
+enum zr_status zr_recenter_shift(const struct zr_run *run, const struct zr_limits *limits, zr_vec4 *positions,
+                                 size_t count, const double **origin);
 
 #endif

@@ -206,7 +206,8 @@ static enum zr_status place_far(const struct build *build, struct zr_scene_build
     if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
     scene.instances = placement->instances;
     scene.exact = placement->exact;
-    return zr_recenter_instances(file->arena, file->cancel, file->limits, &scene, &builder->scene->origin, file->error);
+    const struct zr_run run = {.arena = file->arena, .cancel = file->cancel, .error = file->error};
+    return zr_recenter_instances(&run, file->limits, &scene, &builder->scene->origin);
 }
 
 enum zr_status zr_threemf_place(struct zr_threemf *file, struct zr_scene_builder *builder,
