@@ -16,7 +16,8 @@ static enum zr_status read_over(struct zr_arena *arena, int byte, const uint8_t 
 {
     struct zr_reason reason = {""};
     fill(arena, byte);
-    const enum zr_status status = zr_image_read(arena, data, size, FUZZ_TEXELS_MAX, image, &reason);
+    const enum zr_status status =
+        zr_image_read(arena, &(struct zr_encoded_image){data, size, FUZZ_TEXELS_MAX}, image, &reason);
     fuzz_expect(status == ZR_OK || status == ZR_NO_MEMORY || status == ZR_BAD_SCENE, "no other status");
     fuzz_expect(status != ZR_BAD_SCENE || *reason.text, "a refusal says what is wrong");
     fuzz_expect(zr_arena_ok(arena) == (status != ZR_NO_MEMORY), "the arena knows of it");

@@ -135,7 +135,8 @@ static void decoding_stops(const void *bytes, size_t size, double after_ms)
     zr_arena_init(&images, (size_t)1 << 30);
     begin(&later, after_ms);
     images.cancel = &later.cancel;
-    assert_ended_soon(&later, zr_image_read(&images, bytes, size, UINT64_MAX, &image, &reason));
+    assert_ended_soon(&later,
+                      zr_image_read(&images, &(struct zr_encoded_image){bytes, size, UINT64_MAX}, &image, &reason));
     zr_arena_free(&images);
 }
 

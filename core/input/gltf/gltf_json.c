@@ -64,8 +64,8 @@ bool zr_gltf_index(struct zr_json *json, const struct zr_json_path *path, void *
 static bool read_numbers(struct zr_json *json, const struct zr_json_path *path, size_t count, double *out)
 {
     double given[4] = {0};
-    size_t found;
-    if (!zr_json_numbers(json, path, count, count, -DBL_MAX, DBL_MAX, given, &found)) return false;
+    const struct zr_json_row row = {count, count, -DBL_MAX, DBL_MAX};
+    if (!zr_json_numbers(json, path, row, given, NULL)) return false;
     memcpy(out, given, count * sizeof *given);
     return true;
 }

@@ -23,8 +23,8 @@ static bool read_translation(struct zr_json *json, const struct zr_json_path *pa
 {
     struct given_node *node = out;
     const double limit = zr_recenter_limit(json->limits);
-    size_t count;
-    if (!zr_json_numbers(json, path, 3, 3, -limit, limit, node->exact, &count)) return false;
+    const struct zr_json_row row = {3, 3, -limit, limit};
+    if (!zr_json_numbers(json, path, row, node->exact, NULL)) return false;
     node->translation = (zr_vec3){(float)node->exact[0], (float)node->exact[1], (float)node->exact[2]};
     return true;
 }

@@ -25,8 +25,8 @@ static void decode(void *context, size_t begin, size_t end)
         struct zr_reason reason;
         zr_arena_init(&scratch, job->scratch_bytes);
         scratch.cancel = job->texels.cancel = job->cancel;
-        file->is_decoded = zr_image_decode(&job->texels, &scratch, file->bytes, file->size, file->kept.texels_max,
-                                           &file->kept, &reason) == ZR_OK;
+        const struct zr_encoded_image encoded = {file->bytes, file->size, file->kept.texels_max};
+        file->is_decoded = zr_image_decode(&job->texels, &scratch, &encoded, &file->kept, &reason) == ZR_OK;
         zr_arena_free(&scratch);
     }
 }
@@ -54,18 +54,18 @@ static bool take_kept(const struct zr_kept_images *images, struct job *job, uint
            file->kept.texels_max <= texels_max && file->kept.scratch_bytes <= job->scratch_bytes;
 }
 
-void zr_images_read_ahead(struct zr_arena *arena, struct zr_team *team, const struct zr_kept_images *images,
-                          uint64_t texels_max, struct zr_image_file *files, size_t count)
+void zr_images_read_ahead(const struct zr_run *run, const struct zr_kept_images *images, uint64_t texels_max,
+                          struct zr_image_file *files, size_t count)
 {
+    struct zr_arena *arena = run->arena;
     struct job *jobs = zr_arena_zero(arena, count, sizeof *jobs);
     size_t job_count = 0, scratch_bytes = 0;
     for (size_t i = 0; jobs && i < count && !zr_is_cancelled(arena->cancel); i++) {
         struct job *job = &jobs[job_count];
+        const struct zr_encoded_image file = {files[i].bytes, files[i].size, texels_max};
         struct zr_image head;
         *job = (struct job){.file = &files[i], .cancel = arena->cancel};
-        if (!zr_image_head_read(files[i].bytes, files[i].size, texels_max, &head) ||
-            !prepare(arena, &head, scratch_bytes, job))
-            break;
+        if (!zr_image_head_read(&file, &head) || !prepare(arena, &head, scratch_bytes, job)) break;
         scratch_bytes += job->scratch_bytes;
         files[i].is_decoded = take_kept(images, job, texels_max);
         if (!files[i].is_decoded) {
@@ -75,7 +75,7 @@ void zr_images_read_ahead(struct zr_arena *arena, struct zr_team *team, const st
         texels_max -= (uint64_t)head.width * head.height;
     }
     if (!jobs) return;
-    zr_team_ranges(team, job_count, 1, decode, jobs);
+    zr_team_ranges(run->team, job_count, 1, decode, jobs);
     for (size_t i = 0; i < job_count && images->keep; i++)
         if (jobs[i].file->is_decoded) images->keep(images->context, &jobs[i].hash, &jobs[i].file->kept);
 }

@@ -8,6 +8,7 @@
 #define ZR_IMAGE_AHEAD_H
 
 #include "base/arena.h"
+#include "base/run.h"
 #include "base/team.h"
 #include "core.h"
 #include "scene/image.h"
@@ -20,8 +21,9 @@ struct zr_image_file {
 };
 
 /* Decodes files, or takes them from `images`. All files together may have `texels_max` texels. Decodes none unless
- * memory is ample for all. Texels lie in the arena or in `images`. Returns early if arena->cancel is raised. */
-void zr_images_read_ahead(struct zr_arena *arena, struct zr_team *team, const struct zr_kept_images *images,
-                          uint64_t texels_max, struct zr_image_file *files, size_t count);
+ * memory is ample for all. Texels lie in the arena or in `images`. Returns early if arena->cancel is raised.
+ * The run has arena and team. */
+void zr_images_read_ahead(const struct zr_run *run, const struct zr_kept_images *images, uint64_t texels_max,
+                          struct zr_image_file *files, size_t count);
 
 #endif

@@ -97,8 +97,8 @@ static enum zr_status read_image(struct zr_image_list *list, const struct zr_par
 {
     const struct zr_image_file *file = find_decoded(list, bytes);
     if (!file || !file->is_decoded || texels_max < file->kept.texels_max)
-        return zr_image_read_kept(list->builder->arena, &list->kept, bytes->bytes, bytes->size, texels_max, image,
-                                  reason);
+        return zr_image_read_kept(list->builder->arena, &list->kept,
+                                  &(struct zr_encoded_image){bytes->bytes, bytes->size, texels_max}, image, reason);
     *image = file->kept.image;
     return ZR_OK;
 }
@@ -211,8 +211,8 @@ void zr_image_list_decode(struct zr_image_list *list)
     uint64_t most = list->pixels_max;
     if (list->quick && list->quick->image_pixels_max < most) most = list->quick->image_pixels_max;
     if (list->ahead_count < 2 || list->pixels > most) return;
-    zr_images_read_ahead(list->builder->arena, list->builder->team, &list->kept, most - list->pixels, list->ahead,
-                         list->ahead_count);
+    const struct zr_run run = {.arena = list->builder->arena, .team = list->builder->team};
+    zr_images_read_ahead(&run, &list->kept, most - list->pixels, list->ahead, list->ahead_count);
 }
 
 void zr_image_list_expect(struct zr_image_list *list, const struct zr_parsed_bytes *bytes)

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/images/image_size.h"
 #include "input/images/jpeg_memory.h"
 
 #include <jerror.h>
@@ -172,12 +171,12 @@ static void read_rows(struct reading *reading, uint8_t *rgba)
     jpeg_finish_decompress(jpeg);
 }
 
-static void read_picture(struct reading *reading, uint64_t texels_max, struct zr_image *image)
+static void read_picture(struct reading *reading, struct zr_image *image)
 {
     struct jpeg_decompress_struct *jpeg = &reading->jpeg;
     jpeg_read_header(jpeg, TRUE);
     check_kind(reading);
-    if (!zr_image_fits(jpeg->image_width, jpeg->image_height, texels_max, reading->reason))
+    if (!zr_image_fits(jpeg->image_width, jpeg->image_height, reading->texels_max, reading->reason))
         leave(reading, ZR_BAD_SCENE);
     const size_t texels = (size_t)jpeg->image_width * jpeg->image_height;
     uint8_t *rgba = zr_arena_alloc_beside(reading->arena, reading->scratch, texels, 4);
@@ -218,23 +217,23 @@ bool zr_jpeg_size_read(const void *bytes, size_t size, uint32_t *width, uint32_t
 
 /* Decodes the picture; errors jump back to the setjmp here, once. Only *reading and its targets change before the
  * jump. */
-static void run(struct reading *reading, const void *bytes, size_t size, uint64_t texels_max, struct zr_image *image)
+static void run(struct reading *reading, const struct zr_encoded_image *file, struct zr_image *image)
 {
     if (setjmp(reading->jump) != 0) return;
     jpeg_create_decompress(&reading->jpeg);
     zr_jpeg_memory_begin(&reading->memory, reading->scratch, (j_common_ptr)&reading->jpeg);
-    set_source(reading, bytes, size);
+    set_source(reading, file->bytes, file->size);
     reading->progress.progress_monitor = check_progress;
     reading->jpeg.progress = &reading->progress;
-    read_picture(reading, texels_max, image);
+    read_picture(reading, image);
 }
 
-enum zr_status zr_jpeg_read(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
-                            uint64_t texels_max, struct zr_image *image, struct zr_reason *reason)
+enum zr_status zr_jpeg_read(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_encoded_image *file,
+                            struct zr_image *image, struct zr_reason *reason)
 {
-    struct reading reading = {.arena = arena, .scratch = scratch, .reason = reason, .texels_max = texels_max};
+    struct reading reading = {.arena = arena, .scratch = scratch, .reason = reason, .texels_max = file->texels_max};
     set_errors(&reading);
-    run(&reading, bytes, size, texels_max, image);
+    run(&reading, file, image);
     zr_jpeg_memory_end(&reading.memory, (j_common_ptr)&reading.jpeg);
     jpeg_destroy_decompress(&reading.jpeg);
     return reading.status;

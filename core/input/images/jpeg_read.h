@@ -9,7 +9,7 @@
 
 #include "base/arena.h"
 #include "base/status.h"
-#include "input/text/text.h"
+#include "input/images/image_size.h"
 #include "scene/image.h"
 
 #include <stdbool.h>
@@ -21,10 +21,10 @@ bool zr_jpeg_looks_so(const void *bytes, size_t size);
 bool zr_jpeg_size_read(const void *bytes, size_t size, uint32_t *width, uint32_t *height);
 
 /* Decodes a baseline or progressive JPEG: grey, RGB or YCbCr, 8 bits; alpha is 255. Refuses files with a libjpeg
- * warning or without an end. Refuses more than `texels_max` texels (zr_image_fits: input/images/image_size.h) before it takes
+ * warning or without an end. Refuses more than its texels_max (zr_image_fits) before it takes
  * memory for them. `scratch` is for libjpeg. ZR_OK, ZR_NO_MEMORY (scratch or arena has failed), ZR_CANCELLED
  * (arena->cancel), or ZR_BAD_SCENE with the reason. */
-enum zr_status zr_jpeg_read(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
-                            uint64_t texels_max, struct zr_image *image, struct zr_reason *reason);
+enum zr_status zr_jpeg_read(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_encoded_image *file,
+                            struct zr_image *image, struct zr_reason *reason);
 
 #endif

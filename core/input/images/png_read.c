@@ -66,16 +66,16 @@ bool zr_png_head_read(const void *bytes, size_t size, struct zr_png_head *head)
 }
 
 /* Checks the header before libpng reads the file, so that a picture of the wrong size costs no time. */
-static bool check_head(const void *bytes, size_t size, uint32_t width, uint32_t height, struct zr_reason *reason)
+static bool check_head(const struct zr_parsed_bytes *file, const struct zr_png_head *wanted, struct zr_reason *reason)
 {
     struct zr_png_head head;
-    if (!zr_png_head_read(bytes, size, &head))
+    if (!zr_png_head_read(file->bytes, file->size, &head))
         zr_reason_give(reason, "not a PNG");
-    else if (head.width != width || head.height != height)
+    else if (head.width != wanted->width || head.height != wanted->height)
         zr_reason_give(reason, "%" PRIu32 " x %" PRIu32 " pixels, not the window's %" PRIu32 " x %" PRIu32, head.width,
-                       head.height, width, height);
-    else if (head.bits > 8)
-        zr_reason_give(reason, "%" PRIu32 " bits per channel; 8 are needed", head.bits);
+                       head.height, wanted->width, wanted->height);
+    else if (head.bits > wanted->bits)
+        zr_reason_give(reason, "%" PRIu32 " bits per channel; %" PRIu32 " are needed", head.bits, wanted->bits);
     else
         return true;
     return false;
@@ -192,23 +192,23 @@ static enum zr_status read_rows(struct reading *reading, const void *bytes, size
     return ZR_OK;
 }
 
-enum zr_status zr_png_read(struct zr_arena *arena, const void *bytes, size_t size, uint32_t width, uint32_t height,
+enum zr_status zr_png_read(struct zr_arena *arena, const struct zr_parsed_bytes *file, const struct zr_png_head *wanted,
                            uint8_t **rgba, struct zr_reason *reason)
 {
-    if (!check_head(bytes, size, width, height, reason)) return ZR_BAD_SCENE;
-    *rgba = zr_arena_zero(arena, (size_t)width * height, 4);
+    if (!check_head(file, wanted, reason)) return ZR_BAD_SCENE;
+    *rgba = zr_arena_zero(arena, (size_t)wanted->width * wanted->height, 4);
     if (!*rgba) return ZR_NO_MEMORY;
     struct reading reading = {.arena = arena,
                               .reason = reason,
-                              .width = width,
-                              .height = height,
-                              .row_bytes = (size_t)width * 4,
+                              .width = wanted->width,
+                              .height = wanted->height,
+                              .row_bytes = (size_t)wanted->width * 4,
                               .rgba = *rgba};
-    return read_rows(&reading, bytes, size);
+    return read_rows(&reading, file->bytes, file->size);
 }
 
-enum zr_status zr_png_read_whole(struct zr_arena *arena, const void *bytes, size_t size, const struct zr_png_head *head,
-                                 void *rgba, struct zr_reason *reason)
+enum zr_status zr_png_read_whole(struct zr_arena *arena, const struct zr_encoded_image *file,
+                                 const struct zr_png_head *head, void *rgba, struct zr_reason *reason)
 {
     struct reading reading = {.arena = arena,
                               .reason = reason,
@@ -217,5 +217,5 @@ enum zr_status zr_png_read_whole(struct zr_arena *arena, const void *bytes, size
                               .row_bytes = (size_t)head->width * (head->bits == 16 ? 8 : 4),
                               .rgba = rgba,
                               .is_strict = true};
-    return read_rows(&reading, bytes, size);
+    return read_rows(&reading, file->bytes, file->size);
 }

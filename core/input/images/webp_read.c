@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/images/image_size.h"
 
 #include <webp/decode.h>
 
@@ -53,8 +52,8 @@ static enum zr_status decode(WebPIDecoder *decoder, const uint8_t *bytes, size_t
 }
 
 /* Decodes the picture into `rgba`, which has its size. */
-static enum zr_status read_picture(const void *bytes, size_t size, const WebPBitstreamFeatures *features, uint8_t *rgba,
-                                   const struct zr_cancel *cancel, struct zr_reason *reason)
+static enum zr_status read_picture(const struct zr_encoded_image *file, const WebPBitstreamFeatures *features,
+                                   uint8_t *rgba, const struct zr_cancel *cancel, struct zr_reason *reason)
 {
     WebPDecoderConfig config;
     if (!WebPInitDecoderConfig(&config)) return ZR_NO_MEMORY;
@@ -64,29 +63,30 @@ static enum zr_status read_picture(const void *bytes, size_t size, const WebPBit
     config.output.u.RGBA = (WebPRGBABuffer){rgba, (int)row, row * (size_t)features->height};
     WebPIDecoder *decoder = WebPIDecode(NULL, 0, &config);
     if (!decoder) return ZR_NO_MEMORY;
-    const enum zr_status status = decode(decoder, bytes, size, cancel, reason);
+    const enum zr_status status = decode(decoder, file->bytes, file->size, cancel, reason);
     WebPIDelete(decoder);
     WebPFreeDecBuffer(&config.output);
     return status;
 }
 
-enum zr_status zr_webp_read(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
-                            uint64_t texels_max, struct zr_image *image, struct zr_reason *reason)
+enum zr_status zr_webp_read(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_encoded_image *file,
+                            struct zr_image *image, struct zr_reason *reason)
 {
     WebPBitstreamFeatures features;
-    const VP8StatusCode found = is_whole(bytes, size) ? WebPGetFeatures(bytes, size, &features) : VP8_STATUS_SUSPENDED;
+    const VP8StatusCode found =
+        is_whole(file->bytes, file->size) ? WebPGetFeatures(file->bytes, file->size, &features) : VP8_STATUS_SUSPENDED;
     if (found != VP8_STATUS_OK) return refuse(found, reason);
     if (features.has_animation) {
         zr_reason_give(reason, "an animated WebP; those of one picture are read");
         return ZR_BAD_SCENE;
     }
     const uint32_t width = (uint32_t)features.width, height = (uint32_t)features.height;
-    if (!zr_image_fits(width, height, texels_max, reason)) return ZR_BAD_SCENE;
+    if (!zr_image_fits(width, height, file->texels_max, reason)) return ZR_BAD_SCENE;
     const size_t texels = (size_t)width * height, own = OWN_BYTES + 4 * texels + STRIP_BYTES * (size_t)width;
     uint8_t *rgba = zr_arena_alloc_beside(arena, scratch, texels, 4);
     if (!rgba || !zr_arena_charge(scratch, own)) return ZR_NO_MEMORY;
     *image = (struct zr_image){width, height, 8, rgba, NULL};
-    const enum zr_status status = read_picture(bytes, size, &features, rgba, arena->cancel, reason);
+    const enum zr_status status = read_picture(file, &features, rgba, arena->cancel, reason);
     zr_arena_refund(scratch, own);
     if (status == ZR_NO_MEMORY) scratch->failed = true;
     return status;

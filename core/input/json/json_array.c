@@ -47,7 +47,7 @@ static bool check_form(struct zr_json *json, const struct zr_json_path *path, st
 {
     const struct zr_array_wanted *wanted = array->wanted;
     const struct zr_array *numbers = &array->numbers;
-    if (wanted->is_index && numbers->type <= ZR_F8)
+    if (wanted->of && numbers->type <= ZR_F8)
         return zr_json_fault(json, path, "the array's type is %s; indices need u1, i4, u4, i8 or u8",
                              zr_number_name(numbers->type));
     array->rows = numbers->shape[0];
@@ -181,8 +181,7 @@ struct reading {
     const struct zr_json_array *array;
     size_t count; /* numbers */
     bool is_widened;
-    uint32_t limit; /* of indices */
-    void *to;       /* NULL: floats are only checked */
+    void *to; /* NULL: floats are only checked */
 };
 
 static const char *place_of(const struct reading *r, size_t number)
@@ -234,7 +233,7 @@ static bool read_indices(const struct reading *r, size_t first, size_t end)
     uint32_t *to = (uint32_t *)r->to + first;
     const bool is_there = r->to == r->array->numbers.data;
     return (is_there || index_readers[r->array->numbers.type](place_of(r, first), end - first, to)) &&
-           are_below(to, end - first, r->limit);
+           are_below(to, end - first, r->array->wanted->end);
 }
 
 static bool read_part(void *context, size_t part)
@@ -242,38 +241,36 @@ static bool read_part(void *context, size_t part)
     const struct reading *r = context;
     const size_t first = part * PART_NUMBERS, left = r->count - first;
     const size_t end = first + (left < PART_NUMBERS ? left : PART_NUMBERS);
-    return r->array->wanted->is_index ? read_indices(r, first, end) : read_floats(r, first, end);
+    return r->array->wanted->of ? read_indices(r, first, end) : read_floats(r, first, end);
 }
 
 /* Reports the numbers that are wrong, from number `first` on. */
-static void report(struct zr_json *json, const struct zr_json_path *path, const struct reading *r, size_t first,
-                   const char *of)
+static void report(struct zr_json *json, const struct zr_json_path *path, const struct reading *r, size_t first)
 {
     const struct zr_array_wanted *wanted = r->array->wanted;
     const size_t faults = json->error->count;
-    uint32_t index;
     for (size_t i = first; i < r->count; i++) {
         const struct zr_json_path *row = ZR_JSON_ITEM(path, i / r->array->columns);
         const struct zr_json_path *at = wanted->most == 1 ? row : ZR_JSON_ITEM(row, i % r->array->columns);
         const double value = number_at(r->array, i);
         if (i % PART_NUMBERS == 0) zr_json_look(json);
         if (zr_json_stops(json)) return;
-        if (wanted->is_index)
-            zr_json_check_index(json, at, value, r->limit, of, &index);
+        if (wanted->of)
+            zr_json_check_index(json, at, value, wanted->end, wanted->of);
         else if (!(wanted->has_holes && value != value))
             zr_json_check_range(json, at, wanted->low, wanted->high, value);
     }
     if (json->error->count == faults) zr_json_fault(json, path, "the array changed while it was read");
 }
 
-static bool read_parts(struct zr_json *json, const struct zr_json_path *path, struct reading *r, const char *of)
+static bool read_parts(struct zr_json *json, const struct zr_json_path *path, struct reading *r)
 {
     const size_t parts = (r->count + PART_NUMBERS - 1) / PART_NUMBERS;
     struct zr_team *team = r->count < TEAM_NUMBERS ? NULL : json->team;
     const size_t read = zr_parts_read(team, json->cancel, 0, parts, read_part, r);
     zr_json_look(json);
     if (read == parts || zr_json_stops(json)) return read == parts;
-    report(json, path, r, read * PART_NUMBERS, of);
+    report(json, path, r, read * PART_NUMBERS);
     return false;
 }
 
@@ -303,17 +300,17 @@ bool zr_json_array_floats(struct zr_json *json, const struct zr_json_path *path,
     r.to = make_room(json, array, array->numbers.type == ZR_F4 && !r.is_widened, items, out);
     if (!r.to) return false;
     if (r.to == array->numbers.data) r.to = NULL;
-    return read_parts(json, path, &r, NULL);
+    return read_parts(json, path, &r);
 }
 
 bool zr_json_array_indices(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_array *array,
-                           uint32_t count, const char *of, struct zr_growing *out)
+                           struct zr_growing *out)
 {
-    struct reading r = {.array = array, .count = array->rows * array->columns, .limit = count};
+    struct reading r = {.array = array, .count = array->rows * array->columns};
     const bool may_stay =
-        array->numbers.type == ZR_U4 || (array->numbers.type == ZR_I4 && count <= (uint32_t)INT32_MAX + 1);
+        array->numbers.type == ZR_U4 || (array->numbers.type == ZR_I4 && array->wanted->end <= (uint32_t)INT32_MAX + 1);
     r.to = make_room(json, array, may_stay, r.count * sizeof(uint32_t) / out->size, out);
-    return r.to && read_parts(json, path, &r, of);
+    return r.to && read_parts(json, path, &r);
 }
 
 bool zr_json_array_read(struct zr_json *json, const struct zr_json_path *path, const struct zr_array_wanted *wanted,

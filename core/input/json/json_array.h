@@ -16,11 +16,12 @@
 struct zr_array_wanted {
     size_t rows;        /* 0: any number */
     size_t least, most; /* numbers per row; 1: the shape (n,), or (n, 1) */
-    bool is_index;      /* integers alone */
+    const char *of;     /* the things that are counted by indices, such as positions; NULL: the numbers are floats */
+    uint32_t end;       /* of indices; UINT32_MAX: not known yet */
     bool is_color;      /* u1 is 0 to 255 for 0 to 1 */
     bool has_holes;     /* a float may be NaN */
     bool is_changed;    /* the scene may write to it: it is copied even if it is lent */
-    double low, high;   /* of each number, if it is no index */
+    double low, high;   /* of each float */
 };
 
 struct zr_json_array {
@@ -40,10 +41,9 @@ bool zr_json_array_open(struct zr_json *json, const struct zr_json_path *path, c
 bool zr_json_array_floats(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_array *array,
                           struct zr_growing *out);
 
-/* Appends indices below `count`, which is UINT32_MAX if the count is not known yet; items of `out` are whole rows or
- * single indices. `of` names the counted things. */
+/* Appends indices; items of `out` are whole rows or single indices. */
 bool zr_json_array_indices(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_array *array,
-                           uint32_t count, const char *of, struct zr_growing *out);
+                           struct zr_growing *out);
 
 /* Counts bytes before they are read. If they exceed the limit of a quick reading, reports that and returns false. */
 bool zr_json_has_time(struct zr_json *json, size_t bytes);

@@ -13,7 +13,8 @@ static bool has_rows(const struct zr_json *json)
 bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
                     bool *nested)
 {
-    size_t count, row = 0;
+    const struct zr_json_row flat = {side * side, side * side, -limit, limit}, of_row = {side, side, -limit, limit};
+    size_t row = 0;
     if (zr_json_type(json) == ZR_JSON_OBJECT) {
         *nested = true;
         return zr_json_array_square(json, path, side, limit, out);
@@ -21,10 +22,9 @@ bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_
     if (zr_json_type(json) != ZR_JSON_LIST) return zr_json_expect(json, path, "a matrix");
     bool good = true;
     *nested = has_rows(json);
-    if (!*nested) return zr_json_numbers(json, path, side * side, side * side, -limit, limit, out, &count);
+    if (!*nested) return zr_json_numbers(json, path, flat, out, NULL);
     for (zr_json_enter(json, '['); zr_json_any_item(json); row++)
-        good = (row < side ? zr_json_numbers(json, ZR_JSON_ITEM(path, row), side, side, -limit, limit, &out[side * row],
-                                             &count)
+        good = (row < side ? zr_json_numbers(json, ZR_JSON_ITEM(path, row), of_row, &out[side * row], NULL)
                            : zr_json_skip(json)) &&
                good;
     return row == side ? good : zr_json_fault(json, path, "expected %zu rows, found %zu", side, row);

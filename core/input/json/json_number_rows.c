@@ -117,15 +117,14 @@ static const char *row_texcoord(const char *at, const char *end, float out[2])
 void zr_rows_read_texcoords(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
                             size_t first, const char *until)
 {
-    const double limit = (double)ZR_TEXCOORD_MAX;
+    const struct zr_json_row bounds = {2, 2, -(double)ZR_TEXCOORD_MAX, (double)ZR_TEXCOORD_MAX};
     float *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
         const char *behind = row_texcoord(json->at, json->end, row);
         double v[2] = {0};
-        size_t count;
         if (behind)
             json->at = behind;
-        else if (zr_json_numbers(json, ZR_JSON_ITEM(path, array->count - first), 2, 2, -limit, limit, v, &count))
+        else if (zr_json_numbers(json, ZR_JSON_ITEM(path, array->count - first), bounds, v, NULL))
             for (int k = 0; k < 2; k++)
                 row[k] = (float)v[k];
         array->count++;

@@ -200,21 +200,21 @@ bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, do
 }
 
 bool zr_json_check_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
-                         const char *of, uint32_t *out)
+                         const char *of)
 {
-    if (!(value >= 0 && value < (double)count) || (double)(uint32_t)value != value) {
-        if (count < UINT32_MAX) return zr_json_bad_index(json, path, value, count, of);
-        return zr_json_fault(json, path, "index %.15g is not a whole number from 0 on", value);
-    }
-    *out = (uint32_t)value;
-    return true;
+    if (value >= 0 && value < (double)count && (double)(uint32_t)value == value) return true;
+    if (count < UINT32_MAX) return zr_json_bad_index(json, path, value, count, of);
+    return zr_json_fault(json, path, "index %.15g is not a whole number from 0 on", value);
 }
 
 bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32_t count, const char *of, uint32_t *out)
 {
     double value;
-    return expect(json, path, ZR_JSON_NUMBER, "an index") && zr_json_take_number(json, &value) &&
-           zr_json_check_index(json, path, value, count, of, out);
+    if (!expect(json, path, ZR_JSON_NUMBER, "an index") || !zr_json_take_number(json, &value) ||
+        !zr_json_check_index(json, path, value, count, of))
+        return false;
+    *out = (uint32_t)value;
+    return true;
 }
 
 /* ---- words ---- */
@@ -278,30 +278,31 @@ bool zr_json_count(struct zr_json *json, const struct zr_json_path *path, size_t
     return !there.ended;
 }
 
-bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,
-                     double high, double *out, size_t *count)
+bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, struct zr_json_row row, double *out,
+                     size_t *count)
 {
     bool good = expect(json, path, ZR_JSON_LIST, "a list of numbers") && zr_json_enter(json, '[');
+    size_t found = 0;
     if (!good) return false;
-    for (*count = 0; zr_json_any_item(json); ++*count) {
-        if (*count < most)
-            good = zr_json_number_in(json, ZR_JSON_ITEM(path, *count), low, high, &out[*count]) && good;
+    for (; zr_json_any_item(json); found++) {
+        if (found < row.most)
+            good = zr_json_number_in(json, ZR_JSON_ITEM(path, found), row.low, row.high, &out[found]) && good;
         else
             zr_json_skip(json);
     }
-    if (*count >= least && *count <= most) return good;
-    if (least == most) return zr_json_fault(json, path, "expected %zu numbers, found %zu", least, *count);
-    return zr_json_fault(json, path, "expected %zu %s %zu numbers, found %zu", least, most - least > 1 ? "to" : "or",
-                         most, *count);
+    if (count) *count = found;
+    if (found >= row.least && found <= row.most) return good;
+    if (row.least == row.most) return zr_json_fault(json, path, "expected %zu numbers, found %zu", row.least, found);
+    return zr_json_fault(json, path, "expected %zu %s %zu numbers, found %zu", row.least,
+                         row.most - row.least > 1 ? "to" : "or", row.most, found);
 }
 
 /* Reads three or four numbers; the default of the fourth is 1. */
-static bool read_vec4(struct zr_json *json, const struct zr_json_path *path, size_t least, double low, double high,
-                      zr_vec4 *out)
+static bool read_vec4(struct zr_json *json, const struct zr_json_path *path, struct zr_json_row row, zr_vec4 *out)
 {
     double v[4] = {0};
     size_t count;
-    if (!zr_json_numbers(json, path, least, 4, low, high, v, &count)) return false;
+    if (!zr_json_numbers(json, path, row, v, &count)) return false;
     *out = (zr_vec4){(float)v[0], (float)v[1], (float)v[2], count == 4 ? (float)v[3] : 1.0f};
     return true;
 }
@@ -309,8 +310,8 @@ static bool read_vec4(struct zr_json *json, const struct zr_json_path *path, siz
 bool zr_json_float2(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double v[2] = {0};
-    size_t count;
-    if (!zr_json_numbers(json, path, 2, 2, path->field->low, path->field->high, v, &count)) return false;
+    const struct zr_json_row row = {2, 2, path->field->low, path->field->high};
+    if (!zr_json_numbers(json, path, row, v, NULL)) return false;
     for (int k = 0; k < 2; k++)
         ((float *)out)[k] = (float)v[k];
     return true;
@@ -320,8 +321,8 @@ bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, void *o
 {
     const double limit = (double)json->limits->coordinate_max;
     double v[3] = {0};
-    size_t count;
-    if (!zr_json_numbers(json, path, 3, 3, -limit, limit, v, &count)) return false;
+    const struct zr_json_row row = {3, 3, -limit, limit};
+    if (!zr_json_numbers(json, path, row, v, NULL)) return false;
     *(zr_vec3 *)out = (zr_vec3){(float)v[0], (float)v[1], (float)v[2]};
     return true;
 }
@@ -329,13 +330,13 @@ bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, void *o
 bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
-    return read_vec4(json, path, 4, -limit, limit, out);
+    return read_vec4(json, path, (struct zr_json_row){4, 4, -limit, limit}, out);
 }
 
 bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
-    return read_vec4(json, path, 3, -limit, limit, out);
+    return read_vec4(json, path, (struct zr_json_row){3, 4, -limit, limit}, out);
 }
 
 bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, void *out)
@@ -344,7 +345,7 @@ bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, void *
                                      "\"transparent\" or a name of CSS";
     const enum zr_json_type type = zr_json_type(json);
     struct zr_json_text text;
-    if (type == ZR_JSON_LIST) return read_vec4(json, path, 3, 0.0, 1.0, out);
+    if (type == ZR_JSON_LIST) return read_vec4(json, path, (struct zr_json_row){3, 4, 0.0, 1.0}, out);
     if (type == ZR_JSON_STRING) {
         if (!zr_json_take_string(json, &text)) return false;
         if (!text.has_escapes && zr_color_of_text(text.at, (size_t)(text.end - text.at), out)) return true;

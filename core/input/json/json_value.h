@@ -51,7 +51,7 @@ bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32
 /* Checks a number as zr_json_number_in and zr_json_index do. */
 bool zr_json_check_range(struct zr_json *json, const struct zr_json_path *path, double low, double high, double value);
 bool zr_json_check_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
-                         const char *of, uint32_t *out);
+                         const char *of);
 
 /* Reports an index that is no integer below `count`; returns false. */
 bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
@@ -72,9 +72,13 @@ zr_json_read_fn zr_json_position; /* zr_vec4: three coordinates with w = 1, or f
 zr_json_read_fn zr_json_color;
 zr_json_read_fn zr_json_opaque; /* colour with an alpha of 1 */
 
-/* Reads `least` to `most` numbers, each within low..high; *count: how many the list has. */
-bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,
-                     double high, double *out, size_t *count);
+/* Reads a list of `least` to `most` numbers, each within low..high. *count: how many it has; NULL if least == most. */
+struct zr_json_row {
+    size_t least, most;
+    double low, high;
+};
+bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, struct zr_json_row row, double *out,
+                     size_t *count);
 
 /* True if the next value is a list; else reports it. */
 bool zr_json_list(struct zr_json *json, const struct zr_json_path *path);

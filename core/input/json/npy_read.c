@@ -122,16 +122,16 @@ static bool find_header(const char *bytes, size_t size, struct header *h)
     return true;
 }
 
-static bool check_type(const struct header *h, enum zr_npy_wanted wanted, bool *swapped, struct zr_reason *reason)
+static bool check_type(const struct header *h, const struct zr_npy_wanted *wanted, bool *swapped,
+                       struct zr_reason *reason)
 {
-    const bool is_float = wanted == ZR_NPY_WANTED_FLOAT32;
-    const char *want = is_float ? "f4" : "u4";
+    const char *want = wanted->is_float ? "f4" : "u4";
     if (h->type_size == 3 && memcmp(h->type + 1, want, 2) == 0 && (h->type[0] == '<' || h->type[0] == '>')) {
         *swapped = (h->type[0] == '>') != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__);
         return true;
     }
     zr_reason_give(reason, "the array's type is %s; %s is needed, '<%s' or '>%s'", zr_quote(h->type, h->type_size).text,
-                   is_float ? "float32" : "uint32", want, want);
+                   wanted->is_float ? "float32" : "uint32", want, want);
     return false;
 }
 
@@ -155,17 +155,18 @@ static void copy_values(uint32_t *out, const char *bytes, size_t count, bool swa
         out[i] = __builtin_bswap32(out[i]);
 }
 
-enum zr_status zr_npy_read(struct zr_arena *arena, const void *bytes, size_t size, enum zr_npy_wanted wanted,
-                           uint32_t width, uint32_t height, void **values, struct zr_reason *reason)
+enum zr_status zr_npy_read(struct zr_arena *arena, const struct zr_parsed_bytes *file,
+                           const struct zr_npy_wanted *wanted, void **values, struct zr_reason *reason)
 {
+    const uint32_t width = wanted->width, height = wanted->height;
     struct header h = {.at = NULL};
     bool swapped = false;
-    if (!find_header(bytes, size, &h) || !take_dictionary(&h)) {
+    if (!find_header(file->bytes, file->size, &h) || !take_dictionary(&h)) {
         zr_reason_give(reason, "not an NPY file (numpy.save) of version 1.0, 2.0 or 3.0");
         return ZR_BAD_SCENE;
     }
     if (!check_type(&h, wanted, &swapped, reason) || !check_shape(&h, width, height, reason)) return ZR_BAD_SCENE;
-    size_t count = (size_t)width * height, held = size - (size_t)(h.end - (const char *)bytes);
+    size_t count = (size_t)width * height, held = file->size - (size_t)(h.end - (const char *)file->bytes);
     if (held / 4 != count || held % 4 != 0) {
         zr_reason_give(reason, "%zu bytes of numbers; %zu are needed", held, count * 4);
         return ZR_BAD_SCENE;

@@ -84,13 +84,12 @@ static bool refuse(struct reader *reader, int key, enum zr_status status, const 
     return status == ZR_OK;
 }
 
-static void *read_numbers(struct reader *reader, int key, enum zr_npy_wanted wanted)
+static void *read_numbers(struct reader *reader, int key, bool is_float)
 {
-    const struct zr_view *view = view_of(reader);
+    const struct zr_npy_wanted wanted = {is_float, view_of(reader)->width, view_of(reader)->height};
     struct zr_reason reason;
     void *values = NULL;
-    enum zr_status status = zr_npy_read(reader->root->json.arena, reader->given[key].bytes, reader->given[key].size,
-                                        wanted, view->width, view->height, &values, &reason);
+    enum zr_status status = zr_npy_read(reader->root->json.arena, &reader->given[key], &wanted, &values, &reason);
     return refuse(reader, key, status, &reason) ? values : NULL;
 }
 
@@ -104,8 +103,8 @@ static void read_color(struct reader *reader)
         zr_quick_exceed(quick, reader->root->json.error);
         return;
     }
-    enum zr_status status = zr_png_read(reader->root->json.arena, reader->given[COLOR].bytes, reader->given[COLOR].size,
-                                        view->width, view->height, &rgba, &reason);
+    const struct zr_png_head wanted = {view->width, view->height, 8};
+    enum zr_status status = zr_png_read(reader->root->json.arena, &reader->given[COLOR], &wanted, &rgba, &reason);
     if (!refuse(reader, COLOR, status, &reason)) return;
     reader->base->color = rgba;
     uint8_t alpha = 255;
@@ -118,7 +117,7 @@ static void read_color(struct reader *reader)
 
 static void read_window_depth(struct reader *reader)
 {
-    const float *depth = read_numbers(reader, WINDOW_DEPTH, ZR_NPY_WANTED_FLOAT32);
+    const float *depth = read_numbers(reader, WINDOW_DEPTH, true);
     const size_t pixels = count_pixels(reader);
     for (size_t i = 0; depth && i < pixels; i++)
         if (!(depth[i] >= 0.0f && depth[i] <= 1.0f)) {
@@ -130,7 +129,7 @@ static void read_window_depth(struct reader *reader)
 
 static void read_depth(struct reader *reader)
 {
-    float *depth = read_numbers(reader, DEPTH, ZR_NPY_WANTED_FLOAT32);
+    float *depth = read_numbers(reader, DEPTH, true);
     const size_t pixels = count_pixels(reader);
     for (size_t i = 0; depth && i < pixels; i++) {
         if (isnan(depth[i])) depth[i] = INFINITY; /* both mean background, which the output writes as +inf */
@@ -145,7 +144,7 @@ static void read_depth(struct reader *reader)
 /* Ids of the base may be any numbers except those of new faces. */
 static void read_face_ids(struct reader *reader)
 {
-    const uint32_t *ids = read_numbers(reader, FACE_ID, ZR_NPY_WANTED_UINT32);
+    const uint32_t *ids = read_numbers(reader, FACE_ID, false);
     const size_t pixels = count_pixels(reader);
     for (size_t i = 0; ids && i < pixels; i++)
         if (ids[i] > reader->largest_id) reader->largest_id = ids[i];

@@ -166,7 +166,7 @@ static bool read_range(struct zr_json *json, const struct zr_json_path *path, vo
     if (count != 2)
         return zr_json_skip(json) &&
                zr_json_fault(json, path, "expected 2 numbers, the first and the last, found %zu", count);
-    if (!zr_json_numbers(json, path, 2, 2, -limit, limit, ends, &count)) return false;
+    if (!zr_json_numbers(json, path, (struct zr_json_row){2, 2, -limit, limit}, ends, NULL)) return false;
     const float first = (float)ends[0], last = (float)ends[1];
     if (first == last)
         return zr_json_fault(json, path, "%.9g to %.9g: the two ends must differ", (double)first, (double)last);

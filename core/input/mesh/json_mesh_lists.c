@@ -168,10 +168,11 @@ static bool join_faces(struct zr_json *json, void *state, const void *part)
 /* Reads an array of faces that all have as many corners. */
 static bool read_face_array(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_faces *faces)
 {
-    const struct zr_array_wanted wanted = {.least = 3, .most = json->limits->polygon_vertices_max, .is_index = true};
+    const struct zr_array_wanted wanted = {
+        .least = 3, .most = json->limits->polygon_vertices_max, .of = "positions", .end = faces->positions};
     struct zr_json_array array;
     if (!zr_json_array_open(json, path, &wanted, &array) ||
-        !zr_json_array_indices(json, path, &array, faces->positions, "positions", &faces->indices) ||
+        !zr_json_array_indices(json, path, &array, &faces->indices) ||
         !zr_growing_reserve(&faces->ends, json, array.rows + 1))
         return false;
     uint32_t *ends = faces->ends.items, corners = (uint32_t)array.columns;
@@ -251,10 +252,9 @@ static bool join_lines(struct zr_json *json, void *state, const void *part)
 static bool read_index_array(struct zr_json *json, const struct zr_json_path *path, size_t columns, uint32_t positions,
                              struct zr_growing *indices)
 {
-    const struct zr_array_wanted wanted = {.least = columns, .most = columns, .is_index = true};
+    const struct zr_array_wanted wanted = {.least = columns, .most = columns, .of = "positions", .end = positions};
     struct zr_json_array array;
-    return zr_json_array_open(json, path, &wanted, &array) &&
-           zr_json_array_indices(json, path, &array, positions, "positions", indices);
+    return zr_json_array_open(json, path, &wanted, &array) && zr_json_array_indices(json, path, &array, indices);
 }
 
 bool zr_read_mesh_lines(struct zr_json *json, const struct zr_json_path *path, void *out)

@@ -70,8 +70,8 @@ bool zr_read_scalar_range(struct zr_json *json, const struct zr_json_path *path,
 {
     struct zr_scalars *scalars = out;
     double ends[2] = {0, 0};
-    size_t count;
-    if (!zr_json_numbers(json, path, 2, 2, -VALUE_MAX, VALUE_MAX, ends, &count)) return false;
+    const struct zr_json_row row = {2, 2, -VALUE_MAX, VALUE_MAX};
+    if (!zr_json_numbers(json, path, row, ends, NULL)) return false;
     if (ends[0] > ends[1])
         return zr_json_fault(json, path, "%.9g to %.9g: the lower end must come first", ends[0], ends[1]);
     scalars->range[0] = (float)ends[0];

@@ -39,8 +39,8 @@ bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, void
 static bool read_emissive(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double v[3] = {0};
-    size_t count;
-    if (!zr_json_numbers(json, path, 3, 3, path->field->low, path->field->high, v, &count)) return false;
+    const struct zr_json_row row = {3, 3, path->field->low, path->field->high};
+    if (!zr_json_numbers(json, path, row, v, NULL)) return false;
     *(zr_vec3 *)out = (zr_vec3){(float)v[0], (float)v[1], (float)v[2]};
     return true;
 }

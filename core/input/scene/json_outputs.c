@@ -27,8 +27,8 @@ static bool read_space(struct zr_json *json, const struct zr_json_path *path, vo
 static bool read_range(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double ends[2] = {0, 0};
-    size_t count;
-    if (!zr_json_numbers(json, path, 2, 2, path->field->low, path->field->high, ends, &count)) return false;
+    const struct zr_json_row row = {2, 2, path->field->low, path->field->high};
+    if (!zr_json_numbers(json, path, row, ends, NULL)) return false;
     ((float *)out)[0] = (float)ends[0];
     ((float *)out)[1] = (float)ends[1];
     return ends[0] < ends[1] ||

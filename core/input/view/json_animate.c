@@ -25,7 +25,8 @@ static bool read_rows(struct zr_json *json, const struct zr_json_path *path, siz
 {
     const double limit = (double)json->limits->coordinate_max;
     double v[4] = {0};
-    size_t count, number = 0;
+    const struct zr_json_row bounds = {width, width, -limit, limit};
+    size_t number = 0;
     bool is_good = true;
     *list = (struct zr_growing){.size = width * sizeof(float)};
     if (!zr_json_list(json, path)) return false;
@@ -33,7 +34,7 @@ static bool read_rows(struct zr_json *json, const struct zr_json_path *path, siz
         const struct zr_json_path *at = ZR_JSON_ITEM(path, number);
         float *row = zr_growing_next(list, json);
         if (!row) return false;
-        if (!zr_json_numbers(json, at, width, width, -limit, limit, v, &count)) {
+        if (!zr_json_numbers(json, at, bounds, v, NULL)) {
             is_good = false;
             continue;
         }

@@ -21,14 +21,15 @@ struct given_lens {
 static bool read_radial(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct given_lens *given = out;
-    return zr_json_numbers(json, path, 0, RADIAL_MAX, path->field->low, path->field->high, given->k, &given->k_count);
+    const struct zr_json_row row = {0, RADIAL_MAX, path->field->low, path->field->high};
+    return zr_json_numbers(json, path, row, given->k, &given->k_count);
 }
 
 /* double[2] */
 static bool read_tangential(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    size_t count;
-    return zr_json_numbers(json, path, 2, 2, path->field->low, path->field->high, out, &count);
+    const struct zr_json_row row = {2, 2, path->field->low, path->field->high};
+    return zr_json_numbers(json, path, row, out, NULL);
 }
 
 enum { MODEL, K, P };
@@ -78,7 +79,7 @@ static bool read_list(struct zr_json *json, const struct zr_json_path *path, str
 {
     double c[LIST_MAX] = {0};
     size_t count;
-    if (!zr_json_numbers(json, path, 0, LIST_MAX, COEFFICIENTS, c, &count)) return false;
+    if (!zr_json_numbers(json, path, (struct zr_json_row){0, LIST_MAX, COEFFICIENTS}, c, &count)) return false;
     if (count != 0 && count != 4 && count != 5 && count != 8 && count != 12 && count != 14)
         return zr_json_fault(json, path, "%zu numbers; OpenCV's lists have 4, 5, 8, 12 or 14", count);
     for (size_t i = 8; i < count; i++)

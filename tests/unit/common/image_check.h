@@ -34,7 +34,8 @@ static inline struct image_reading read_image_over(int byte, const void *bytes, 
     struct image_reading reading = {.reason = {""}};
     struct guarded guarded = guarded_copy(bytes, size);
     fill_arena(byte);
-    reading.status = zr_image_read(&arena, guarded.bytes, size, TEXELS_MAX, &reading.image, &reading.reason);
+    reading.status = zr_image_read(&arena, &(struct zr_encoded_image){guarded.bytes, size, TEXELS_MAX}, &reading.image,
+                                   &reading.reason);
     guarded_free(&guarded);
     return reading;
 }
@@ -82,7 +83,8 @@ static inline int try_ceilings(const void *bytes, size_t size, size_t step)
     for (int failed = 0;; failed++) {
         struct zr_arena small;
         zr_arena_init(&small, (size_t)failed * step);
-        const enum zr_status status = zr_image_read(&small, bytes, size, TEXELS_MAX, &image, &reason);
+        const enum zr_status status =
+            zr_image_read(&small, &(struct zr_encoded_image){bytes, size, TEXELS_MAX}, &image, &reason);
         const bool is_ok = zr_arena_ok(&small);
         assert_true(small.used <= small.ceiling && small.peak <= small.ceiling);
         zr_arena_free(&small);

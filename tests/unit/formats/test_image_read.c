@@ -159,9 +159,12 @@ TEST(cancelled_reading_ends)
     struct zr_image image;
     struct zr_reason reason;
     arena.cancel = &cancel;
-    assert_int_equal(zr_image_read(&arena, file.bytes, file.size, TEXELS_MAX, &image, &reason), ZR_CANCELLED);
+    assert_int_equal(
+        zr_image_read(&arena, &(struct zr_encoded_image){file.bytes, file.size, TEXELS_MAX}, &image, &reason),
+        ZR_CANCELLED);
     cancel.raised = false;
-    assert_int_equal(zr_image_read(&arena, file.bytes, file.size, TEXELS_MAX, &image, &reason), ZR_OK);
+    assert_int_equal(
+        zr_image_read(&arena, &(struct zr_encoded_image){file.bytes, file.size, TEXELS_MAX}, &image, &reason), ZR_OK);
     arena.cancel = NULL;
 }
 

@@ -268,7 +268,8 @@ TEST(cancelled_reading_ends)
         struct zr_image image = {0};
         fill_arena(0x5a);
         arena.cancel = &cancel;
-        const enum zr_status status = zr_image_read(&arena, file.bytes, file.size, TEXELS_MAX, &image, &reason);
+        const enum zr_status status =
+            zr_image_read(&arena, &(struct zr_encoded_image){file.bytes, file.size, TEXELS_MAX}, &image, &reason);
         arena.cancel = NULL;
         assert_int_equal(status, ZR_CANCELLED);
         assert_int_equal(texel_channel(&image, 3), 0x5a); /* no row was read: alpha would be 255 */

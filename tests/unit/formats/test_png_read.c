@@ -9,11 +9,13 @@
 
 TEST_ARENA(1 << 24)
 
+static const struct zr_png_head window = {PNG_WIDTH, PNG_HEIGHT, 8};
+
 static enum zr_status read_file(const void *bytes, size_t size, uint8_t **rgba, struct zr_reason *reason)
 {
     struct guarded guarded = guarded_copy(bytes, size);
     zr_arena_reset(&arena, 1 << 24);
-    enum zr_status status = zr_png_read(&arena, guarded.bytes, size, PNG_WIDTH, PNG_HEIGHT, rgba, reason);
+    enum zr_status status = zr_png_read(&arena, &(struct zr_parsed_bytes){guarded.bytes, size}, &window, rgba, reason);
     guarded_free(&guarded);
     return status;
 }
@@ -70,11 +72,11 @@ TEST(picture_of_another_size_is_refused_before_it_costs_anything)
     uint8_t *rgba;
     png_file_make(&file, KINDS[1], samples, PNG_WIDTH * 4);
     zr_arena_reset(&arena, 0);
-    const uint32_t sizes[4][2] = {
-        {PNG_WIDTH + 1, PNG_HEIGHT}, {PNG_WIDTH, PNG_HEIGHT - 1}, {PNG_HEIGHT, PNG_WIDTH}, {8192, 8192}};
+    const struct zr_png_head windows[4] = {
+        {PNG_WIDTH + 1, PNG_HEIGHT, 8}, {PNG_WIDTH, PNG_HEIGHT - 1, 8}, {PNG_HEIGHT, PNG_WIDTH, 8}, {8192, 8192, 8}};
+    const struct zr_parsed_bytes bytes = {file.bytes, file.size};
     for (int i = 0; i < 4; i++) {
-        assert_int_equal(zr_png_read(&arena, file.bytes, file.size, sizes[i][0], sizes[i][1], &rgba, &reason),
-                         ZR_BAD_SCENE);
+        assert_int_equal(zr_png_read(&arena, &bytes, &windows[i], &rgba, &reason), ZR_BAD_SCENE);
         assert_non_null(strstr(reason.text, "13 x 9 pixels, not the window's"));
         assert_int_equal(arena.used, 0);
     }
@@ -146,7 +148,8 @@ TEST(every_ceiling_is_enough_or_fails_cleanly)
     for (size_t ceiling = 0; ceiling < 1 << 18; ceiling += 512) {
         struct zr_arena small;
         zr_arena_init(&small, ceiling);
-        enum zr_status status = zr_png_read(&small, file.bytes, file.size, PNG_WIDTH, PNG_HEIGHT, &rgba, &reason);
+        enum zr_status status =
+            zr_png_read(&small, &(struct zr_parsed_bytes){file.bytes, file.size}, &window, &rgba, &reason);
         zr_arena_free(&small);
         if (status == ZR_OK) break;
         assert_int_equal(status, ZR_NO_MEMORY);

@@ -199,7 +199,8 @@ static void run_image(const void *subject, struct outcome *outcome)
     struct zr_arena arena;
     zr_arena_init(&arena, (size_t)1 << 26);
     outcome->size = 0;
-    outcome->status = zr_image_read(&arena, picture->bytes, picture->size, sizeof outcome->bytes / 4, &image, &reason);
+    outcome->status = zr_image_read(
+        &arena, &(struct zr_encoded_image){picture->bytes, picture->size, sizeof outcome->bytes / 4}, &image, &reason);
     if (outcome->status == ZR_OK) {
         outcome->size = (size_t)image.width * image.height * 4;
         memcpy(outcome->bytes, image.texels, outcome->size);

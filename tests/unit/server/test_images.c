@@ -44,7 +44,9 @@ static struct zr_image read_file(struct images_use *use, struct zr_arena *in, in
     const struct zr_kept_images lent = images_lend(use);
     struct zr_image image = {.texels = NULL};
     struct zr_reason reason;
-    assert_int_equal(zr_image_read_kept(in, &lent, files[number], sizes[number], TEXELS_MAX, &image, &reason), ZR_OK);
+    assert_int_equal(zr_image_read_kept(in, &lent, &(struct zr_encoded_image){files[number], sizes[number], TEXELS_MAX},
+                                        &image, &reason),
+                     ZR_OK);
     return image;
 }
 
@@ -118,7 +120,8 @@ TEST(an_image_in_use_stays_whatever_others_send)
     expect(images, 1, 2, 2, 0);
     struct zr_image decoded;
     struct zr_reason reason;
-    assert_int_equal(zr_image_read(&other, files[0], sizes[0], TEXELS_MAX, &decoded, &reason), ZR_OK);
+    assert_int_equal(
+        zr_image_read(&other, &(struct zr_encoded_image){files[0], sizes[0], TEXELS_MAX}, &decoded, &reason), ZR_OK);
     assert_memory_equal(held.texels, decoded.texels, zr_image_bytes(&decoded));
     images_release(&use);
     assert_true(kept_drop(images));
@@ -165,11 +168,14 @@ TEST(limits_and_memory_hold_for_kept_images)
         struct images_use use = {images, NULL, NULL};
         const struct zr_kept_images lent = images_lend(&use);
         zr_arena_reset(&arena, SIZE_MAX);
-        assert_int_equal(zr_image_read_kept(&arena, &lent, files[0], sizes[0], SIDE * SIDE - 1, &image, &reasons[i]),
+        assert_int_equal(zr_image_read_kept(&arena, &lent,
+                                            &(struct zr_encoded_image){files[0], sizes[0], SIDE * SIDE - 1}, &image,
+                                            &reasons[i]),
                          ZR_BAD_SCENE);
         struct zr_arena small;
         zr_arena_init(&small, SIDE * SIDE * 4);
-        assert_int_equal(zr_image_read_kept(&small, &lent, files[0], sizes[0], TEXELS_MAX, &image, &other),
+        assert_int_equal(zr_image_read_kept(&small, &lent, &(struct zr_encoded_image){files[0], sizes[0], TEXELS_MAX},
+                                            &image, &other),
                          ZR_NO_MEMORY);
         zr_arena_free(&small);
         images_release(&use);
@@ -188,7 +194,9 @@ TEST(a_changed_file_is_another_one)
     struct zr_reason reason;
     ask(images, 0);
     files[0][sizes[0] / 2] ^= 1;
-    assert_int_equal(zr_image_read_kept(&arena, &lent, files[0], sizes[0], TEXELS_MAX, &image, &reason), ZR_BAD_SCENE);
+    assert_int_equal(
+        zr_image_read_kept(&arena, &lent, &(struct zr_encoded_image){files[0], sizes[0], TEXELS_MAX}, &image, &reason),
+        ZR_BAD_SCENE);
     files[0][sizes[0] / 2] ^= 1;
     images_release(&use);
     expect(images, 1, 0, 2, 0);
