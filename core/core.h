@@ -43,7 +43,7 @@ struct zr_limits zr_limits_default(void);
 
 /* ---- parts of a request (render_request.h) ---- */
 
-struct zr_packed; /* input/zip/zip_part.h */
+struct zr_packed; /* input/zip/zip_read.h */
 
 /* A file or an array sent with the scene; the scene refers to it by {"asset": name}. */
 struct zr_asset {

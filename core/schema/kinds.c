@@ -4,11 +4,9 @@
 #include <string.h>
 
 #include "input/json/json_matrix.h"
-#include "input/mesh/json_heights.h"
-#include "input/mesh/json_scalars.h"
 #include "input/mesh/parsed_mesh.h"
 #include "input/scene/json_scene.h"
-#include "input/text/color_names.h"
+#include "input/text/color_text.h"
 #include "scene/looks.h"
 
 /* The limit that replaces LIMIT in a text. */

@@ -1,5 +1,5 @@
 /* Attributes of Draco meshes: their descriptions, their integers, and the numbers that these stand for. */
-#include "input/codecs/draco_transform.h"
+#include "input/codecs/draco_mesh.h"
 
 #include <string.h>
 

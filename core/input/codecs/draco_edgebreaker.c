@@ -1,6 +1,6 @@
 /* Edgebreaker connectivity of Draco meshes: each symbol adds a face at the active edge (Rossignac, 1999; decoded in
  * reverse as by Isenburg and Snoeyink, 2001). */
-#include "input/codecs/draco_traversal.h"
+#include "input/codecs/draco_mesh.h"
 
 /* A face that a later split joins. Both numbers count symbols from the last one. */
 struct split {

@@ -1,5 +1,5 @@
 /* Predicts normals of Draco meshes: the sum of the normals of a vertex's faces, times their areas. */
-#include "input/codecs/draco_transform.h"
+#include "input/codecs/draco_mesh.h"
 
 static const int32_t *position_at(const struct zr_draco_order *order, const struct zr_draco_positions *positions,
                                   uint32_t corner)

@@ -1,5 +1,5 @@
 /* Integers of attributes of Draco meshes: coded corrections to values that are predicted from those before them. */
-#include "input/codecs/draco_transform.h"
+#include "input/codecs/draco_mesh.h"
 
 /* Predictions and transforms, as the bitstream counts them. */
 enum {

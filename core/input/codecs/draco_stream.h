@@ -54,7 +54,7 @@ static inline uint32_t zr_draco_bits_read(struct zr_draco_bits *bits, unsigned c
     return (uint32_t)(value >> shift & ((UINT64_C(1) << count) - 1));
 }
 
-/* draco_flags.c: flags of one probability, coded by asymmetric numeral systems. */
+/* Flags of one probability, coded by asymmetric numeral systems. */
 struct zr_draco_flags {
     const unsigned char *bytes;
     size_t left;    /* bytes before the read ones; they are read backwards */

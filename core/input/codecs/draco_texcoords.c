@@ -1,5 +1,5 @@
 /* Predicts texture coordinates of Draco meshes: each triangle has about the same form in space and in the texture. */
-#include "input/codecs/draco_transform.h"
+#include "input/codecs/draco_mesh.h"
 
 #include <math.h>
 #include <stdlib.h>

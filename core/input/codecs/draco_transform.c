@@ -1,5 +1,5 @@
 /* Adds corrections to predicted values of Draco meshes: wrapped around a range, or on the unfolded octahedron. */
-#include "input/codecs/draco_transform.h"
+#include "input/codecs/draco_mesh.h"
 
 #include <math.h>
 

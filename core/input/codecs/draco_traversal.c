@@ -1,5 +1,5 @@
 /* Symbols of edgebreaker connectivity: as bits, or one list per valence of the active vertex. */
-#include "input/codecs/draco_traversal.h"
+#include "input/codecs/draco_mesh.h"
 
 enum { VALENCE_LEAST = 2, VALENCE_MOST = VALENCE_LEAST + ZR_DRACO_VALENCES - 1 };
 

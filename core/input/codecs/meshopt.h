@@ -5,9 +5,19 @@
 #ifndef ZR_MESHOPT_H
 #define ZR_MESHOPT_H
 
+#include <stdint.h>
+
 #include "base/cancel.h"
-#include "input/codecs/meshopt_filter.h"
 #include "input/text/text.h"
+
+enum zr_meshopt_mode { ZR_MESHOPT_ATTRIBUTES, ZR_MESHOPT_TRIANGLES, ZR_MESHOPT_INDICES };
+enum zr_meshopt_filter { ZR_MESHOPT_NONE, ZR_MESHOPT_OCTAHEDRAL, ZR_MESHOPT_QUATERNION, ZR_MESHOPT_EXPONENTIAL };
+
+/* `count` elements of `stride` bytes. */
+struct zr_meshopt {
+    int mode, filter;
+    uint32_t count, stride;
+};
 
 /* Checks the layout against the number of compressed bytes. False with the reason. */
 bool zr_meshopt_check(const struct zr_meshopt *of, size_t size, struct zr_reason *reason);
@@ -15,5 +25,8 @@ bool zr_meshopt_check(const struct zr_meshopt *of, size_t size, struct zr_reason
 /* Decodes a checked layout to count * stride bytes, and applies its filter. False with the reason, or if cancelled. */
 bool zr_meshopt_decode(const struct zr_meshopt *of, const void *bytes, size_t size, unsigned char *out,
                        const struct zr_cancel *cancel, struct zr_reason *reason);
+
+/* Applies the filter to decoded elements, in place. */
+void zr_meshopt_filter(const struct zr_meshopt *of, unsigned char *elements, uint32_t count);
 
 #endif

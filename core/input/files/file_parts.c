@@ -6,7 +6,7 @@
 
 #include "input/files/assets.h"
 #include "input/text/text.h"
-#include "input/zip/zip_part.h"
+#include "input/zip/zip_read.h"
 
 /* A name by which an asset is found. `rank`: 0: name of a part; 1: relative name of a ZIP member; 2: name that is also
  * the member's path; 3: path of a member with a relative name. */

@@ -43,7 +43,7 @@ static struct zr_draco_mesh *decode(struct zr_gltf *file, const struct zr_json_p
     struct zr_json *json = &file->json;
     struct zr_reason reason;
     /* A quick reading decodes only few bytes, since each may stand for many faces. */
-    if (!zr_gltf_note_bytes(file, packed->size * ZR_DRACO_PER_BYTE)) return NULL;
+    if (!zr_json_has_time(&file->json, packed->size * ZR_DRACO_PER_BYTE)) return NULL;
     struct zr_draco_mesh *mesh = zr_arena_alloc(json->arena, 1, sizeof *mesh);
     if (mesh && zr_draco_decode(json->arena, json->cancel, packed->bytes, packed->size, mesh, &reason)) return mesh;
     if (mesh && reason.text[0]) zr_json_fault(json, path, "%s", reason.text);

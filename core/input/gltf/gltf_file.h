@@ -10,10 +10,12 @@
 #define ZR_GLTF_FILE_H
 
 #include "input/images/image_list.h"
+#include "input/json/json_array.h"
 #include "input/json/json_bytes.h"
 #include "input/json/json_uris.h"
 #include "input/model/model_scene.h"
 #include "input/model/recenter_scene.h"
+#include "scene/parts/nodes.h"
 
 #define ZR_GLTF_NONE UINT32_MAX
 
@@ -203,7 +205,7 @@ struct zr_gltf {
     struct zr_gltf_use *uses;
     struct zr_gltf_animation *animation; /* private to gltf_animation.c */
     struct zr_gltf_pose *poses;          /* one per node; NULL: no animation is drawn */
-    struct zr_gltf_nodes *nodes;         /* gltf_nodes.h */
+    struct zr_gltf_nodes *nodes;         /* made by gltf_node.c */
     uint32_t scene;                      /* number of the drawn scene */
     uint64_t primitives;                 /* number of primitives in all entries of `uses` */
     uint32_t use, next_mesh;             /* entry that is read now; next mesh of the scene to make */
@@ -225,6 +227,23 @@ struct zr_gltf {
     bool has_fallbacks;              /* an extension replaces textures or accessors, whose files may be unused */
     uint32_t unread_extensions;      /* number of used extensions that are not read */
     struct zr_names_text extensions; /* names of these */
+};
+
+/* The nodes of a file. */
+struct zr_gltf_nodes {
+    uint32_t count, child_count;
+    struct zr_node *nodes; /* `mesh`: number of a mesh of the file, later of an entry of file->uses */
+    uint32_t *children;
+    const char **places;                /* JSON text of the lists of children, or NULL */
+    uint32_t *parents;                  /* or NONE */
+    bool *is_drawn;                     /* the node is a root of the scene or its descendant */
+    uint32_t *skins, *cameras, *lights; /* or NONE */
+    const char **names;
+    const char **weights, **instancing;
+    zr_mat4 *worlds;
+    double (*exact)[3]; /* translations of the local matrices */
+    uint32_t *stack;    /* numbers of nodes to visit */
+    size_t stacked;
 };
 
 /* ---- gltf_container.c ---- */
@@ -259,9 +278,6 @@ zr_json_read_fn zr_gltf_three, zr_gltf_four;
         .key = "name", .read = zr_gltf_ignore                                                                          \
     }
 
-/* Counts the bytes of an array before it is made. False if they exceed the limit of a quick reading. */
-bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes);
-
 /* Counts the bytes of an array, and makes it. NULL beyond the limit of a quick reading, or without memory. */
 void *zr_gltf_allocate(struct zr_gltf *file, size_t count, size_t size);
 
@@ -287,9 +303,6 @@ const char *zr_gltf_word(enum zr_gltf_key key);
 
 /* The path of an item of a list of the root. */
 #define ZR_GLTF_ITEM(key, number) ZR_JSON_ITEM(ZR_JSON_KEY(NULL, zr_gltf_word(key)), (number))
-
-/* True if reading must end. */
-bool zr_gltf_stops(struct zr_gltf *file);
 
 /* ---- gltf_buffer.c: buffers and views ---- */
 
@@ -336,9 +349,6 @@ bool zr_gltf_read_nodes(struct zr_gltf *file);
 
 /* Makes the instances of the meshes, after zr_gltf_read_meshes. */
 void zr_gltf_place(struct zr_gltf *file);
-
-/* Returns the matrix of a node to world space, in the pose of the file. */
-const zr_mat4 *zr_gltf_world_of(const struct zr_gltf *file, uint32_t node);
 
 /* ---- gltf_animation.c ---- */
 

@@ -1,5 +1,9 @@
-/* Rehearses the reading of materials to find the images that are decoded ahead. */
-#include "input/gltf/gltf_image_ahead.h"
+/* Rehearses the reading of materials to find the images that are decoded ahead.
+ *
+ * How:   in a rehearsal, a copy of the reader reads the materials of the drawn primitives in the order of the meshes,
+ *        and lists their images. Faults and counts of the rehearsal are dropped. The later reading reports them.
+ * Exact: scene, faults, warnings and memory are the same for every team (image_ahead.h). */
+#include "input/gltf/gltf_parts.h"
 
 struct given_primitive {
     uint32_t material;
@@ -60,5 +64,5 @@ void zr_gltf_read_images_ahead(struct zr_gltf *file)
     zr_gltf_read_list(rehearsal, ZR_GLTF_MESHES, list_mesh);
     file->assets = rehearsal->assets; /* keeps the names that the rehearsal sorted */
     forget_refusals(file);
-    if (!zr_gltf_stops(file)) zr_image_list_decode(&file->decoded);
+    if (!zr_json_stops(&file->json)) zr_image_list_decode(&file->decoded);
 }

@@ -5,23 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "input/json/json_array.h"
-
-bool zr_gltf_stops(struct zr_gltf *file)
-{
-    return zr_json_stops(&file->json);
-}
-
 /* ---- counts of problems ---- */
-
-bool zr_gltf_note_bytes(struct zr_gltf *file, size_t bytes)
-{
-    return zr_json_has_time(&file->json, bytes);
-}
 
 void *zr_gltf_allocate(struct zr_gltf *file, size_t count, size_t size)
 {
-    return zr_gltf_note_bytes(file, count * size) ? zr_arena_alloc(file->json.arena, count, size) : NULL;
+    return zr_json_has_time(&file->json, count * size) ? zr_arena_alloc(file->json.arena, count, size) : NULL;
 }
 
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path)
@@ -145,5 +133,5 @@ bool zr_gltf_read_items(struct zr_gltf *file, const char *place, const struct zr
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_any_item(json); number++)
         read(file, json, ZR_JSON_ITEM(path, number), number);
-    return !zr_gltf_stops(file);
+    return !zr_json_stops(&file->json);
 }

@@ -1,5 +1,4 @@
 /* Reads meshes of glTF: each primitive becomes a mesh of the scene. */
-#include "input/gltf/gltf_image_ahead.h"
 #include "input/gltf/gltf_parts.h"
 
 /* ---- primitives ---- */
@@ -32,7 +31,7 @@ static void read_primitive(struct zr_gltf *file, struct zr_json *json, const str
     struct zr_gltf_use *of = &file->uses[file->use];
     struct zr_mesh *mesh = &file->builder->meshes[of->first + of->count];
     (void)number;
-    if (zr_gltf_stops(file)) return;
+    if (zr_json_stops(&file->json)) return;
     zr_gltf_fields(file, json, path, &object, &given);
     if (!given.attributes) return;
     zr_gltf_read_attributes(file, ZR_JSON_KEY(path, fields[ATTRIBUTES].key), given.attributes,
@@ -99,14 +98,15 @@ static void read_use(struct zr_gltf *file, const struct zr_json_path *path, cons
 static void read_mesh(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_mesh given = {"", NULL, NULL};
-    if (file->first_uses[number] == ZR_GLTF_NONE || zr_gltf_stops(file)) {
+    if (file->first_uses[number] == ZR_GLTF_NONE || zr_json_stops(&file->json)) {
         zr_json_skip(json);
         return;
     }
     const struct zr_gltf_note before = file->unknown; /* count_mesh has counted the unknown keys */
     zr_gltf_fields(file, json, path, &mesh_object, &given);
     file->unknown = before;
-    for (uint32_t i = file->first_uses[number]; i != ZR_GLTF_NONE && !zr_gltf_stops(file); i = file->uses[i].next)
+    for (uint32_t i = file->first_uses[number]; i != ZR_GLTF_NONE && !zr_json_stops(&file->json);
+         i = file->uses[i].next)
         read_use(file, ZR_JSON_KEY(path, mesh_fields[PRIMITIVES].key), &given, i);
 }
 
@@ -126,5 +126,5 @@ bool zr_gltf_read_meshes(struct zr_gltf *file)
     zr_gltf_read_images_ahead(file);
     zr_gltf_read_list(file, ZR_GLTF_MESHES, read_mesh);
     file->builder->scene->mesh_count = file->next_mesh;
-    return json->error->count == 0 && !zr_gltf_stops(file);
+    return json->error->count == 0 && !zr_json_stops(&file->json);
 }

@@ -1,6 +1,5 @@
 /* Reads nodes and scenes of glTF, and places meshes. A node with two parents is refused. */
 #include "input/gltf/gltf_extensions.h"
-#include "input/gltf/gltf_nodes.h"
 
 #include <string.h>
 
@@ -150,7 +149,7 @@ static bool read_children(struct zr_gltf *file)
     }
     uint32_t *next = all->children = zr_arena_alloc(arena, all->child_count, sizeof *next);
     if (!next) return false;
-    for (uint32_t i = 0; i < all->count && !zr_gltf_stops(file); i++) {
+    for (uint32_t i = 0; i < all->count && !zr_json_stops(&file->json); i++) {
         if (!all->places[i]) continue;
         const struct zr_json_path *node = ZR_GLTF_ITEM(ZR_GLTF_NODES, i),
                                   *path = ZR_JSON_KEY(node, fields[CHILDREN].key);
@@ -265,11 +264,6 @@ static void find_worlds(struct zr_gltf_nodes *all)
             all->stack[all->stacked++] = child;
         }
     }
-}
-
-const zr_mat4 *zr_gltf_world_of(const struct zr_gltf *file, uint32_t node)
-{
-    return &file->nodes->worlds[node];
 }
 
 static bool is_shared(const struct zr_gltf_use *use)

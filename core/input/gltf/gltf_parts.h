@@ -107,4 +107,9 @@ bool zr_gltf_open_draco(struct zr_gltf *file, const struct zr_json_path *path, c
                         struct zr_gltf_primitive *given);
 void zr_gltf_close_draco(struct zr_gltf *file, const struct zr_gltf_primitive *given);
 
+/* ---- gltf_image_ahead.c ---- */
+
+/* Decodes the images of all drawn materials by several threads, before the first material is read. */
+void zr_gltf_read_images_ahead(struct zr_gltf *file);
+
 #endif

@@ -1,6 +1,5 @@
 /* Makes instances of the meshes that the nodes of glTF place. */
 #include "input/gltf/gltf_extensions.h"
-#include "input/gltf/gltf_nodes.h"
 
 #include "base/cancel.h"
 #include "input/formats/quick.h"

@@ -67,7 +67,7 @@ static bool read_texcoords(struct zr_gltf *file, const struct zr_gltf_making *ma
 {
     static const char *const names[2] = {"TEXCOORD_0", "TEXCOORD_1"};
     const uint32_t *numbers = making->given->attributes.texcoords, count = making->range.count;
-    zr_vec4 *texcoords = zr_gltf_note_bytes(file, count * sizeof *texcoords)
+    zr_vec4 *texcoords = zr_json_has_time(&file->json, count * sizeof *texcoords)
                              ? zr_arena_zero(file->json.arena, count, sizeof *texcoords)
                              : NULL;
     if (!texcoords) return false;

@@ -73,7 +73,7 @@ static bool make_matrices(struct zr_gltf *file, uint32_t number, struct zr_gltf_
     for (uint32_t i = 0; zr_json_any_item(json); i++) {
         uint32_t node;
         if (!zr_json_index(json, ZR_JSON_ITEM(list, i), file->counts[ZR_GLTF_NODES], "nodes", &node)) return false;
-        skin->matrices[i] = zr_mat4_mul(zr_gltf_world_of(file, node), &skin->matrices[i]);
+        skin->matrices[i] = zr_mat4_mul(&file->nodes->worlds[node], &skin->matrices[i]);
     }
     return true;
 }
@@ -100,7 +100,7 @@ static bool read_influences(struct zr_gltf *file, const struct zr_gltf_making *m
         return false;
     of_joints.is_normalized = false;
     of_weights.is_normalized = true;
-    if (!zr_gltf_note_bytes(file, 2 * range->count * sizeof(zr_vec4))) return false;
+    if (!zr_json_has_time(&file->json, 2 * range->count * sizeof(zr_vec4))) return false;
     out->joints = zr_arena_alloc(file->json.arena, range->count, sizeof(zr_vec4));
     out->weights = zr_arena_alloc(file->json.arena, range->count, sizeof(zr_vec4));
     return out->joints && out->weights && zr_gltf_read_floats(file, &of_joints, range, out->joints, 4) &&

@@ -79,7 +79,7 @@ static bool decode(struct zr_gltf *file, const struct zr_json_path *path, struct
 {
     const struct zr_json_path *at = ZR_JSON_KEY(path, image_fields[image->uri.text ? IMAGE_URI : IMAGE_VIEW].key);
     struct zr_reason reason;
-    if (!find_bytes(file, path, image) || zr_gltf_stops(file)) return false;
+    if (!find_bytes(file, path, image) || zr_json_stops(&file->json)) return false;
     const enum zr_status status = zr_image_list_add(&file->decoded, &image->bytes, &image->number, &reason);
     return zr_json_check_read(&file->json, at, status, &reason);
 }

@@ -2,9 +2,6 @@
 
 #include "base/cancel.h"
 #include "input/formats/sniff.h"
-#include "input/images/jpeg_read.h"
-#include "input/images/png_read.h"
-#include "input/images/webp_read.h"
 
 static enum zr_status read_png(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_encoded_image *file,
                                struct zr_image *image, struct zr_reason *reason)

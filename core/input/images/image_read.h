@@ -9,7 +9,7 @@
 #include "base/arena.h"
 #include "base/status.h"
 #include "core.h"
-#include "input/images/image_size.h"
+#include "input/images/image_file.h"
 #include "scene/image.h"
 
 /* Decodes an image into the arena. Refuses more than its texels_max. Frees the libraries' memory at the end.

@@ -1,4 +1,4 @@
-#include "input/images/jpeg_read.h"
+#include "input/images/image_file.h"
 
 #include <inttypes.h>
 #include <setjmp.h>

@@ -1,4 +1,4 @@
-#include "input/images/png_read.h"
+#include "input/images/image_file.h"
 
 #include <inttypes.h>
 #include <png.h>

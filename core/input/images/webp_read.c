@@ -1,4 +1,4 @@
-#include "input/images/webp_read.h"
+#include "input/images/image_file.h"
 
 #include <string.h>
 

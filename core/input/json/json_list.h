@@ -26,6 +26,7 @@ struct zr_growing {
     size_t count, room;
     void *items;
     const char *start; /* the text's place at the first item */
+    size_t first;      /* item 0 of the list that is read, if others precede it; numbers the items of its path */
 };
 
 /* Makes room for `more` items after the last. False if memory runs out; the arena has then failed. */

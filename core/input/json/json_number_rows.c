@@ -60,9 +60,9 @@ const char *zr_numbers_any_indices(const char *at, const char *end, uint32_t cou
     return NULL;
 }
 
-void zr_rows_read_positions(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
-                            size_t first, const char *until)
+void zr_rows_read_positions(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
 {
+    struct zr_growing *array = state;
     const double limit = (double)json->limits->coordinate_max;
     zr_vec4 *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
@@ -70,28 +70,28 @@ void zr_rows_read_positions(struct zr_json *json, const struct zr_json_path *pat
         if (behind)
             json->at = behind;
         else
-            zr_json_position(json, ZR_JSON_ITEM(path, array->count - first), row);
+            zr_json_position(json, ZR_JSON_ITEM(path, array->count - array->first), row);
         array->count++;
     }
 }
 
-void zr_rows_read_colors(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array, size_t first,
-                         const char *until)
+void zr_rows_read_colors(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
 {
+    struct zr_growing *array = state;
     zr_vec4 *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
         const char *behind = zr_numbers_color(json->at, json->end, row);
         if (behind)
             json->at = behind;
         else
-            zr_json_color(json, ZR_JSON_ITEM(path, array->count - first), row);
+            zr_json_color(json, ZR_JSON_ITEM(path, array->count - array->first), row);
         array->count++;
     }
 }
 
-void zr_rows_read_vec3s(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array, size_t first,
-                        const char *until)
+void zr_rows_read_vec3s(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
 {
+    struct zr_growing *array = state;
     const double limit = (double)json->limits->coordinate_max;
     zr_vec3 *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
@@ -99,7 +99,7 @@ void zr_rows_read_vec3s(struct zr_json *json, const struct zr_json_path *path, s
         if (behind)
             json->at = behind;
         else
-            zr_json_vec3(json, ZR_JSON_ITEM(path, array->count - first), row);
+            zr_json_vec3(json, ZR_JSON_ITEM(path, array->count - array->first), row);
         array->count++;
     }
 }
@@ -114,9 +114,9 @@ static const char *row_texcoord(const char *at, const char *end, float out[2])
     return at && *at == ']' ? at + 1 : NULL;
 }
 
-void zr_rows_read_texcoords(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
-                            size_t first, const char *until)
+void zr_rows_read_texcoords(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
 {
+    struct zr_growing *array = state;
     const struct zr_json_row bounds = {2, 2, -(double)ZR_TEXCOORD_MAX, (double)ZR_TEXCOORD_MAX};
     float *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
@@ -124,7 +124,7 @@ void zr_rows_read_texcoords(struct zr_json *json, const struct zr_json_path *pat
         double v[2] = {0};
         if (behind)
             json->at = behind;
-        else if (zr_json_numbers(json, ZR_JSON_ITEM(path, array->count - first), bounds, v, NULL))
+        else if (zr_json_numbers(json, ZR_JSON_ITEM(path, array->count - array->first), bounds, v, NULL))
             for (int k = 0; k < 2; k++)
                 row[k] = (float)v[k];
         array->count++;
@@ -160,9 +160,9 @@ static void read_tangent(struct zr_json *json, const struct zr_json_path *path, 
     if (zr_json_vec4(json, path, tangent)) zr_tangent_check(json, path, tangent);
 }
 
-void zr_rows_read_tangents(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
-                           size_t first, const char *until)
+void zr_rows_read_tangents(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
 {
+    struct zr_growing *array = state;
     const double limit = (double)json->limits->coordinate_max;
     zr_vec4 *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
@@ -170,7 +170,7 @@ void zr_rows_read_tangents(struct zr_json *json, const struct zr_json_path *path
         if (behind)
             json->at = behind;
         else
-            read_tangent(json, ZR_JSON_ITEM(path, array->count - first), row);
+            read_tangent(json, ZR_JSON_ITEM(path, array->count - array->first), row);
         array->count++;
     }
 }

@@ -11,7 +11,6 @@
 #include "base/vec.h"
 #include "input/json/json_list.h"
 #include "input/json/json_value.h"
-#include "input/text/color_names.h"
 #include "input/text/color_text.h"
 #include "input/text/number.h"
 
@@ -129,11 +128,9 @@ ZR_INLINED const char *zr_numbers_indices(const char *at, const char *end, uint3
 
 /* ---- lists of rows ---- */
 
-/* Appends items of a list to the array, from json->at until the first item that begins at `until` or after it, or the
- * list's end. The path numbers them from the array's item `first` on. Unusual and wrong items go through the readers of
- * json_value.h. */
-typedef void zr_rows_read_fn(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
-                             size_t first, const char *until);
+/* Append items of a list to an array, a struct zr_growing, as struct zr_json_list says. Unusual and wrong items go
+ * through the readers of json_value.h. */
+typedef void zr_rows_read_fn(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until);
 zr_rows_read_fn zr_rows_read_positions, zr_rows_read_colors; /* zr_vec4 */
 zr_rows_read_fn zr_rows_read_vec3s;                          /* zr_vec3 */
 zr_rows_read_fn zr_rows_read_texcoords;                      /* float[2] */

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "input/formats/quick.h"
-#include "input/images/png_read.h"
+#include "input/images/image_file.h"
 #include "input/json/npy_read.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"

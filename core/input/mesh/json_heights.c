@@ -1,4 +1,4 @@
-#include "input/mesh/json_heights.h"
+#include "input/mesh/parsed_mesh.h"
 
 #include <math.h>
 #include <stdint.h>

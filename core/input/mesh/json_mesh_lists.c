@@ -38,31 +38,6 @@ static bool join_array(struct zr_json *json, void *state, const void *part)
     return zr_growing_join(json, state, part);
 }
 
-static void read_position_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
-{
-    zr_rows_read_positions(json, path, state, 0, until);
-}
-
-static void read_color_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
-{
-    zr_rows_read_colors(json, path, state, 0, until);
-}
-
-static void read_normal_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
-{
-    zr_rows_read_vec3s(json, path, state, 0, until);
-}
-
-static void read_texcoord_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
-{
-    zr_rows_read_texcoords(json, path, state, 0, until);
-}
-
-static void read_tangent_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
-{
-    zr_rows_read_tangents(json, path, state, 0, until);
-}
-
 /* The last arguments are shapes of arrays. zr_unused_positions_move changes positions. */
 #define READER(name, read_items, limit, ...)                                                                           \
     bool name(struct zr_json *json, const struct zr_json_path *path, void *out)                                        \
@@ -70,15 +45,15 @@ static void read_tangent_items(struct zr_json *json, const struct zr_json_path *
         static const struct zr_json_list list = {'[', read_items, begin_array, join_array};                            \
         return read_array(json, path, &list, (struct zr_array_wanted){__VA_ARGS__}, limit, out);                       \
     }
-READER(zr_read_mesh_positions, read_position_items, 0, .least = 3, .most = 4, .is_changed = true)
-READER(zr_read_mesh_colors, read_color_items, 0, .least = 3, .most = 4, .is_color = true)
-READER(zr_read_mesh_normals, read_normal_items, 0, .least = 3, .most = 3)
-READER(zr_read_mesh_texcoords, read_texcoord_items, ZR_TEXCOORD_MAX, .least = 2, .most = 2)
+READER(zr_read_mesh_positions, zr_rows_read_positions, 0, .least = 3, .most = 4, .is_changed = true)
+READER(zr_read_mesh_colors, zr_rows_read_colors, 0, .least = 3, .most = 4, .is_color = true)
+READER(zr_read_mesh_normals, zr_rows_read_vec3s, 0, .least = 3, .most = 3)
+READER(zr_read_mesh_texcoords, zr_rows_read_texcoords, ZR_TEXCOORD_MAX, .least = 2, .most = 2)
 #undef READER
 
 bool zr_read_mesh_tangents(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    static const struct zr_json_list list = {'[', read_tangent_items, begin_array, join_array};
+    static const struct zr_json_list list = {'[', zr_rows_read_tangents, begin_array, join_array};
     const struct zr_growing *array = out;
     const bool is_array = zr_json_type(json) == ZR_JSON_OBJECT;
     if (!read_array(json, path, &list, (struct zr_array_wanted){.least = 4, .most = 4}, 0, out)) return false;

@@ -1,8 +1,8 @@
-/* Reads polygons, the simple form of a scene, into the arrays of json_soup.h. */
+/* Reads polygons, the simple form of a scene, into the arrays of parsed_mesh.h. */
 #include "input/json/json_array.h"
 #include "input/json/json_list.h"
 #include "input/json/json_number_rows.h"
-#include "input/mesh/json_soup.h"
+#include "input/mesh/parsed_mesh.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 
@@ -17,23 +17,43 @@ struct polygon {
 
 /* ---- lists of a polygon ---- */
 
-/* Arrays that may stand for a list. All polygons append to the same lists of the scene, so arrays are copied. */
-static const struct zr_array_wanted position_array = {.least = 3, .most = 4, .is_changed = true},
-                                    color_array = {.least = 3, .most = 4, .is_changed = true, .is_color = true},
-                                    normal_array = {.least = 3, .most = 3, .is_changed = true};
+/* A list with one item per vertex, and the array that may stand for it. All polygons append to the same lists of the
+ * scene, so arrays are copied. */
+struct vertex_list {
+    size_t offset; /* in struct zr_soup */
+    struct zr_array_wanted array;
+    zr_rows_read_fn *read;
+    const void *otherwise; /* item of polygons without the list; NULL: all have it */
+};
+#define AT(member) offsetof(struct zr_soup, member)
+static const struct vertex_list
+    positions_list = {AT(positions), {.least = 3, .most = 4, .is_changed = true}, zr_rows_read_positions, NULL},
+    colors_list = {AT(colors),
+                   {.least = 3, .most = 4, .is_changed = true, .is_color = true},
+                   zr_rows_read_colors,
+                   &zr_soup_white},
+    normals_list = {AT(normals), {.least = 3, .most = 3, .is_changed = true}, zr_rows_read_vec3s, &zr_soup_computed};
+#undef AT
+
+static struct zr_growing *items_of(const struct polygon *polygon, const struct vertex_list *of)
+{
+    return (struct zr_growing *)(void *)((char *)polygon->soup + of->offset);
+}
 
 /* Appends the items of the next value, a list or an array. The path numbers them from item `first` on. */
-static bool read_items_of(struct zr_json *json, const struct zr_json_path *path, struct zr_array_wanted wanted,
-                          zr_rows_read_fn *read, size_t first, struct zr_growing *list)
+static bool read_items_of(struct zr_json *json, const struct zr_json_path *path, const struct vertex_list *of,
+                          size_t first, struct zr_growing *items)
 {
     if (zr_json_type(json) == ZR_JSON_OBJECT) {
+        struct zr_array_wanted wanted = of->array;
         wanted.high = wanted.is_color ? 1.0 : (double)json->limits->coordinate_max;
         wanted.low = wanted.is_color ? 0.0 : -wanted.high;
-        return zr_json_array_read(json, path, &wanted, list);
+        return zr_json_array_read(json, path, &wanted, items);
     }
     if (!zr_json_list(json, path) || !zr_json_enter(json, '[')) return false;
     const unsigned inside = json->depth;
-    read(json, path, list, first, json->end);
+    items->first = first;
+    of->read(json, path, items, json->end);
     zr_json_check_closed(json, inside);
     return true;
 }
@@ -44,7 +64,7 @@ static bool read_ring(struct zr_json *json, const struct zr_json_path *path, voi
     const struct polygon *polygon = out;
     struct zr_growing *positions = &polygon->soup->positions;
     const size_t first = positions->count;
-    if (!read_items_of(json, path, position_array, zr_rows_read_positions, first, positions)) return false;
+    if (!read_items_of(json, path, &positions_list, first, positions)) return false;
     const size_t count = positions->count - first, most = json->limits->polygon_vertices_max;
     const size_t all = positions->count - polygon->first_vertex;
     if (first > polygon->first_vertex && count < 3)
@@ -54,25 +74,24 @@ static bool read_ring(struct zr_json *json, const struct zr_json_path *path, voi
     return true;
 }
 
-/* Reads a list with one item per vertex. Earlier polygons get `item` if this is the first such list. */
+/* Reads a list with one item per vertex. Earlier polygons get the default if this is the first such list. */
 static bool read_each(struct zr_json *json, const struct zr_json_path *path, const struct polygon *polygon,
-                      struct zr_growing *list, const void *item, struct zr_array_wanted wanted, zr_rows_read_fn *read)
+                      const struct vertex_list *of)
 {
-    return zr_growing_fill(list, json, polygon->first_vertex, item) &&
-           read_items_of(json, path, wanted, read, polygon->first_vertex, list);
+    struct zr_growing *items = items_of(polygon, of);
+    return zr_growing_fill(items, json, polygon->first_vertex, of->otherwise) &&
+           read_items_of(json, path, of, polygon->first_vertex, items);
 }
 
 /* struct polygon, also for read_normals */
 static bool read_colors(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    const struct polygon *polygon = out;
-    return read_each(json, path, polygon, &polygon->soup->colors, &zr_soup_white, color_array, zr_rows_read_colors);
+    return read_each(json, path, out, &colors_list);
 }
 
 static bool read_normals(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    const struct polygon *polygon = out;
-    return read_each(json, path, polygon, &polygon->soup->normals, &zr_soup_computed, normal_array, zr_rows_read_vec3s);
+    return read_each(json, path, out, &normals_list);
 }
 
 /* zr_vec4 */
@@ -136,13 +155,14 @@ static bool read_holes(struct zr_json *json, const struct zr_json_path *path, st
 
 /* Checks that a given list has one item per vertex. Extends a list that is not given, if an earlier polygon has it. */
 static bool check_list(struct zr_json *json, const struct zr_json_path *path, const struct polygon *polygon,
-                       bool is_given, int key, struct zr_growing *list, const void *item)
+                       bool is_given, const struct vertex_list *of)
 {
     const size_t behind = polygon->soup->positions.count;
-    if (!is_given) return list->items == NULL || zr_growing_fill(list, json, behind, item);
-    return list->count == behind || zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key),
-                                                  "%zu items for %zu vertices; the counts must be equal",
-                                                  list->count - polygon->first_vertex, behind - polygon->first_vertex);
+    struct zr_growing *items = items_of(polygon, of);
+    if (!is_given) return items->items == NULL || zr_growing_fill(items, json, behind, of->otherwise);
+    return items->count == behind ||
+           zr_json_fault(json, path, "%zu items for %zu vertices; the counts must be equal",
+                         items->count - polygon->first_vertex, behind - polygon->first_vertex);
 }
 
 /* Removes the vertices of a polygon with faults, so that the next polygon is checked on its own. */
@@ -177,8 +197,8 @@ static void read_polygon(struct zr_json *json, const struct zr_json_path *path, 
             !zr_growing_fill(&soup->face_colors, json, soup->offsets.count, &polygon.color))
             return;
     }
-    check_list(json, path, &polygon, has_colors, COLORS, &soup->colors, &zr_soup_white);
-    check_list(json, path, &polygon, has_normals, NORMALS, &soup->normals, &zr_soup_computed);
+    check_list(json, ZR_JSON_KEY(path, fields[COLORS].key), &polygon, has_colors, &colors_list);
+    check_list(json, ZR_JSON_KEY(path, fields[NORMALS].key), &polygon, has_normals, &normals_list);
     polygon.style.has = (has_color ? ZR_POLYGON_COLOR : 0) | (has_colors ? ZR_POLYGON_COLORS : 0) |
                         (has_normals ? ZR_POLYGON_NORMALS : 0);
     uint32_t style;

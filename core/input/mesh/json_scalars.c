@@ -1,4 +1,4 @@
-#include "input/mesh/json_scalars.h"
+#include "input/mesh/parsed_mesh.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "input/mesh/json_soup.h"
+#include "input/mesh/parsed_mesh.h"
 
 #include <string.h>
 

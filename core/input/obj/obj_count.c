@@ -1,6 +1,5 @@
 /* The first pass over a file of OBJ: counts. */
 #include "input/obj/obj_file.h"
-#include "input/obj/obj_index.h"
 
 /* Words of v with colours. */
 enum { COLORED_WORDS = 6 };

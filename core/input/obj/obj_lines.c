@@ -1,6 +1,5 @@
 /* Lines and points of OBJ. */
 #include "input/obj/obj_file.h"
-#include "input/obj/obj_index.h"
 
 /* Reads the next index of l or p. Returns false at the end of the statement, and sets *is_bad at a wrong index. */
 static bool next_index(const struct zr_obj_file *file, struct zr_obj_statement *statement, size_t so_far, uint32_t *out,

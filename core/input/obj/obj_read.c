@@ -2,8 +2,6 @@
 #include <math.h>
 
 #include "input/obj/obj_file.h"
-#include "input/obj/obj_index.h"
-#include "input/text/number.h"
 #include "input/text/text.h"
 
 enum { VERTEX_NUMBERS_MAX = 6 };

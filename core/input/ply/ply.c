@@ -8,11 +8,6 @@
 #include "input/ply/ply_file.h"
 #include "render_request.h"
 
-bool zr_looks_so_PLY(const char *bytes, size_t size)
-{
-    return zr_ply_begins(bytes, size);
-}
-
 /* ---- checks of the header ---- */
 
 static bool is_text(const struct zr_ply_file *file)

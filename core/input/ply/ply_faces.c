@@ -1,6 +1,5 @@
 /* Faces of PLY: growing arrays, and binary triangles, which all threads read. */
 #include "input/ply/ply_file.h"
-#include "input/ply/ply_values.h"
 #include "input/text/parts.h"
 
 /* Read in a tenth of a millisecond. */

@@ -1,4 +1,5 @@
-#include "input/ply/ply_header.h"
+#include "input/formats/input.h"
+#include "input/ply/ply_file.h"
 
 #include <string.h>
 
@@ -61,7 +62,7 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
 }
 
-bool zr_ply_begins(const char *bytes, size_t size)
+bool zr_looks_so_PLY(const char *bytes, size_t size)
 {
     size_t at = 3;
     if (size < 4 || memcmp(bytes, "ply", 3) != 0) return false;
@@ -240,7 +241,7 @@ enum zr_status zr_ply_read_header(struct zr_arena *arena, const char *bytes, siz
     struct line line;
     bool is_end = false;
     *header = (struct zr_ply_header){.form = ZR_PLY_ASCII};
-    if (!zr_ply_begins(bytes, size)) return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "the first line is not 'ply'");
+    if (!zr_looks_so_PLY(bytes, size)) return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "the first line is not 'ply'");
     find_line_end(&reader);
     header->elements = zr_arena_alloc(arena, count_lines(reader, "element"), sizeof *header->elements);
     reader.properties = zr_arena_alloc(arena, count_lines(reader, "property"), sizeof *reader.properties);

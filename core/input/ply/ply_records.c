@@ -3,7 +3,6 @@
 #include <stdio.h>
 
 #include "input/ply/ply_file.h"
-#include "input/ply/ply_values.h"
 #include "input/text/number.h"
 #include "input/text/text.h"
 

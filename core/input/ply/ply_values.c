@@ -1,4 +1,4 @@
-#include "input/ply/ply_values.h"
+#include "input/ply/ply_file.h"
 
 /* load_ID reads a value of type ID. */
 #define LOAD(ID, name, newer, type)                                                                                    \

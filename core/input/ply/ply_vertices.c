@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "input/ply/ply_file.h"
-#include "input/ply/ply_values.h"
 #include "input/text/parts.h"
 
 /* Read in a tenth of a millisecond. */

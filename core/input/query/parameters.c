@@ -1,19 +1,109 @@
 #include "input/query/parameters.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "input/formats/formats.h"
 #include "input/json/json_writer.h"
-#include "input/query/channel_list.h"
-#include "input/query/parameter_list.h"
 #include "input/query/parameter_values.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/kept.h"
+#include "input/scene/outputs.h"
 #include "input/text/parameter_names.h"
 #include "render_request.h"
 #include "scene/camera/mesh_up.h"
 #include "scene/defaults.h"
 #include "scene/parsed_picture.h"
+
+/* ---- the parameter channel as a list, "color,depth", with the other parameters of outputs ---- */
+
+static const char prefix[] = "/outputs/";
+
+/* A JSON Pointer into outputs, with another number. */
+struct output_pointer {
+    char text[120];
+};
+
+static struct output_pointer output_pointer(const char *pointer, size_t number)
+{
+    struct output_pointer out;
+    const size_t begin = sizeof prefix - 1;
+    if (strncmp(pointer, prefix, begin) == 0)
+        snprintf(out.text, sizeof out.text, "%s%zu%s", prefix, number,
+                 pointer + begin + strspn(pointer + begin, "0123456789"));
+    else
+        snprintf(out.text, sizeof out.text, "%s", pointer);
+    return out;
+}
+
+/* Returns the number of channels in the list, at least 1. */
+static size_t count_channels(const struct zr_request *request)
+{
+    size_t count = 1;
+    for (const char *at = request->channel; at && (at = strchr(at, ',')) != NULL; at++)
+        count++;
+    return count;
+}
+
+/* Returns the channel `number` of the list; *length: of its name. */
+static const char *channel_at(const struct zr_request *request, size_t number, size_t *length)
+{
+    const char *at = request->channel;
+    for (; number > 0; number--)
+        at += strcspn(at, ",") + 1;
+    *length = strcspn(at, ",");
+    return at;
+}
+
+/* True if the parameter belongs to channel `number` of the list. */
+static bool belongs(const struct zr_request *request, size_t number, const char *parameter)
+{
+    char name[32];
+    size_t length;
+    const char *at = channel_at(request, number, &length);
+    snprintf(name, sizeof name, "%.*s", length < sizeof name ? (int)length : 0, at);
+    const int channel = zr_names_find(&zr_channel_names, name);
+    if (channel < 0 || channel >= ZR_CHANNEL_COUNT) return false;
+    if (strcmp(parameter, "x") == 0 || strcmp(parameter, "y") == 0) return channel == ZR_CHANNEL_FRAGMENTS;
+    const int given = request->encoding ? zr_names_find(&zr_encoding_names, request->encoding) : -1;
+    const bool has_it =
+        given >= 0 && given < ZR_ENCODING_COUNT && zr_channel_has((enum zr_channel)channel, (enum zr_encoding)given);
+    const enum zr_encoding encoding = has_it ? (enum zr_encoding)given : zr_channel_rows[channel].encodings[0];
+    if (strcmp(parameter, "scale") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_SCALE);
+    if (strcmp(parameter, "lossless") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_LOSSLESS);
+    if (strcmp(parameter, "quality") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_QUALITY);
+    if (strcmp(parameter, "maxBytes") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_MAX_BYTES);
+    return has_it;
+}
+
+static const char *copy(struct zr_arena *arena, const char *text, size_t length)
+{
+    char *copied = zr_arena_alloc(arena, length + 1, 1);
+    if (!copied) return NULL;
+    memcpy(copied, text, length);
+    copied[length] = '\0';
+    return copied;
+}
+
+/* Returns the text of an output parameter ("channel", "encoding", "scale", "quality" and so on) for the channel
+ * `number` of the list; NULL if it is not given or belongs to other channels. An encoding belongs to channels that have
+ * it, a scale to those with png16, a quality to those with jpeg or webp, x and y to fragments. A parameter of no listed
+ * channel belongs to the first, which refuses it. The text is in the arena; NULL also without memory. */
+static const char *text_of_channel(const struct zr_request *request, struct zr_arena *arena, size_t number,
+                                   const char *parameter, const char *text)
+{
+    const size_t count = text ? count_channels(request) : 1;
+    if (count == 1) return text;
+    if (strcmp(parameter, "channel") == 0) {
+        size_t length;
+        const char *at = channel_at(request, number, &length);
+        return copy(arena, at, length);
+    }
+    if (belongs(request, number, parameter)) return text;
+    for (size_t other = 0; other < count; other++)
+        if (number > 0 || belongs(request, other, parameter)) return NULL;
+    return text;
+}
 
 /* ---- the tables ---- */
 
@@ -110,7 +200,7 @@ void zr_query_report(const struct zr_request *request, enum zr_status status, co
 {
     for (size_t i = 0; i < zr_error_held(faults); i++) {
         const struct zr_error_item *item = &faults->items[i];
-        const struct zr_output_pointer first = zr_output_pointer(item->pointer, 0);
+        const struct output_pointer first = output_pointer(item->pointer, 0);
         const char *name = name_of(request, first.text);
         if (name)
             zr_error_add(error, status, NULL, "parameter %s: %s", name,
@@ -127,8 +217,7 @@ static void drop_reported(struct zr_error *faults, const struct zr_parameter_row
     for (size_t k = 0; k < zr_error_held(faults); k++) {
         bool is_new = true;
         for (int i = 0; reported >> i; i++)
-            if (reported >> i & 1u &&
-                strcmp(object[i].pointer, zr_output_pointer(faults->items[k].pointer, 0).text) == 0)
+            if (reported >> i & 1u && strcmp(object[i].pointer, output_pointer(faults->items[k].pointer, 0).text) == 0)
                 is_new = false;
         if (is_new) faults->items[kept++] = faults->items[k];
     }
@@ -187,7 +276,7 @@ static uint64_t write_object(const struct reading *r, const struct zr_parameter_
     struct zr_arena *arena = r->query->given.json.arena;
     uint64_t reported = 0;
     for (const struct zr_parameter_row *at = row; at < end; at++) {
-        const char *text = zr_channel_list_text(r->request, arena, number, at->name, zr_parameter_text(r->request, at));
+        const char *text = text_of_channel(r->request, arena, number, at->name, zr_parameter_text(r->request, at));
         if (!text) continue;
         if (at->scope == ZR_PARAMETER_OF_MESH && has_view) {
             zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
@@ -195,9 +284,9 @@ static uint64_t write_object(const struct reading *r, const struct zr_parameter_
                          at->name);
             continue;
         }
-        struct zr_output_pointer *pointer = zr_arena_alloc(arena, 1, sizeof *pointer);
+        struct output_pointer *pointer = zr_arena_alloc(arena, 1, sizeof *pointer);
         if (!pointer) return reported;
-        *pointer = zr_output_pointer(at->pointer, number);
+        *pointer = output_pointer(at->pointer, number);
         put_required(json, pointer->text);
         zr_json_go_to(json, pointer->text);
         const size_t used = json->used;
@@ -215,7 +304,7 @@ static uint64_t write_object(const struct reading *r, const struct zr_parameter_
 static void read_rows(const struct reading *r, const struct zr_parameter_row *row, const struct zr_parameter_row *end)
 {
     const bool is_outputs = strncmp(row->pointer, "/outputs/", strlen("/outputs/")) == 0;
-    const size_t count = is_outputs ? zr_channel_list_count(r->request) : 1;
+    const size_t count = is_outputs ? count_channels(r->request) : 1;
     size_t room = 0;
     for (const struct zr_parameter_row *at = row; at < end; at++)
         if (zr_parameter_text(r->request, at))

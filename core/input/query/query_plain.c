@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "input/json/json_writer.h"
-#include "input/query/parameter_list.h"
 #include "input/query/parameter_values.h"
 #include "input/query/parameters.h"
 #include "input/text/color_text.h"

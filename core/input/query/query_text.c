@@ -2,16 +2,10 @@
 
 #include <string.h>
 
+#include "input/query/parameter_values.h"
 #include "input/text/nearest.h"
 #include "input/text/text.h"
 #include "render_request.h"
-
-#define PARAMETER(name, ...) {#name, offsetof(struct zr_request, name)},
-static const struct {
-    const char *name;
-    size_t offset; /* of a const char * in zr_request */
-} rows[] = {ZR_PARAMETER_ROWS(PARAMETER)};
-#undef PARAMETER
 
 /* ", channel, encoding, ...", for a message. */
 static const char all_names[] =
@@ -48,9 +42,10 @@ static enum zr_status set(struct zr_request *request, const char *name, const ch
 {
     const char **field = NULL;
     struct zr_nearest nearest = {.word = name};
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        if (strcmp(rows[i].name, name) == 0) field = (const char **)(void *)((char *)request + rows[i].offset);
-        zr_nearest_offer(&nearest, rows[i].name);
+    for (int i = 0; i < zr_parameter_count; i++) {
+        const struct zr_parameter_row *row = &zr_parameter_list[i];
+        if (strcmp(row->name, name) == 0) field = (const char **)(void *)((char *)request + row->offset);
+        zr_nearest_offer(&nearest, row->name);
     }
     if (!field || *field)
         return zr_error_add(error, ZR_BAD_REQUEST, NULL, "%s parameter '%.60s'%s; known: %s",

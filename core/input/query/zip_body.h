@@ -10,7 +10,7 @@
 #define ZR_ZIP_BODY_H
 
 #include "core.h"
-#include "input/zip/zip_part.h"
+#include "input/zip/zip_read.h"
 #include "scene/scene_builder.h"
 
 /* Replaces the format, the bytes and the assets of a ZR_FORMAT_ZIP request by those of the model in the archive. Leaves

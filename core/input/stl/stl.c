@@ -7,8 +7,7 @@
 #include <string.h>
 
 #include "base/team.h"
-#include "input/stl/stl_color.h"
-#include "input/stl/stl_text.h"
+#include "input/stl/stl_file.h"
 #include "input/text/parts.h"
 #include "input/text/recenter.h"
 #include "input/text/text.h"

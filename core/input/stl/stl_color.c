@@ -1,4 +1,4 @@
-#include "input/stl/stl_color.h"
+#include "input/stl/stl_file.h"
 
 #include <string.h>
 

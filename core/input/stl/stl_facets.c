@@ -1,4 +1,4 @@
-#include "input/stl/stl_words.h"
+#include "input/stl/stl_file.h"
 #include "input/text/number.h"
 #include "input/text/text.h"
 

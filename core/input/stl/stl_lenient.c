@@ -1,4 +1,4 @@
-#include "input/stl/stl_words.h"
+#include "input/stl/stl_file.h"
 #include "input/text/text.h"
 
 /* Keywords that are valid only within a facet. */

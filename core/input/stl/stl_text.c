@@ -1,7 +1,7 @@
-#include "input/stl/stl_text.h"
+#include "input/stl/stl_file.h"
 
-#include "input/stl/stl_words.h"
-#include "input/text/chunk.h"
+#include <stdio.h>
+
 #include "input/text/parts.h"
 #include "input/text/text.h"
 #include "render_request.h"
@@ -222,6 +222,37 @@ static enum zr_status adjust(struct file *file, struct zr_scene_builder *builder
     return status;
 }
 
+/* ---- warnings ---- */
+
+static const struct {
+    const char *one, *many; /* "1 comment line", "2 comment lines" */
+    const char *what;
+} oddities[ZR_STL_ODDITIES] = {
+    [ZR_STL_CR] = {"line", "lines", "that end in CR alone"},
+    [ZR_STL_COMMENT] = {"comment line", "comment lines", "ignored"},
+    [ZR_STL_COLOR] = {"colour line", "colour lines", "ignored"},
+    [ZR_STL_UNKNOWN] = {"unknown line", "unknown lines", "ignored"},
+    [ZR_STL_WORDS] = {"line", "lines", "with words that are ignored"},
+    [ZR_STL_SPLIT_END] = {"keyword", "keywords", "in two words"},
+    [ZR_STL_NO_NORMAL] = {"facet", "facets", "without a normal of three numbers"},
+    [ZR_STL_POLYGON] = {"facet", "facets", "of more than three corners"},
+    [ZR_STL_NO_SOLID] = {"solid", "solids", "without 'solid'"},
+    [ZR_STL_NO_END] = {"solid", "solids", "without 'endsolid'"},
+};
+
+static void warn(const struct zr_stl_notes *notes, struct zr_scene_builder *builder)
+{
+    for (int i = 0; i < ZR_STL_ODDITIES; i++) {
+        const struct zr_stl_note *note = &notes->of[i];
+        if (note->count == 0) continue;
+        const struct zr_quote quote = zr_quote(note->at ? note->at : "", note->size);
+        zr_warning_list_add(builder->arena, &builder->warnings, "STL: %zu %s %s, %sline %zu%s%s", note->count,
+                            note->count == 1 ? oddities[i].one : oddities[i].many, oddities[i].what,
+                            note->count == 1 ? "" : "the first in ", note->line, note->size ? ": " : "",
+                            note->size ? quote.text : "");
+    }
+}
+
 /* ---- the whole ---- */
 
 /* Returns the line end: '\r' if the first line and most others end in CR alone, else '\n'. */
@@ -273,6 +304,6 @@ enum zr_status zr_stl_text_read(struct zr_scene_builder *builder, const struct z
     size_t failed;
     enum zr_status status = read_all(&file, builder, out, &failed, error);
     if (status == ZR_OK) status = adjust(&file, builder, out, failed, error);
-    zr_stl_notes_warn(&file.notes, builder);
+    warn(&file.notes, builder);
     return status;
 }

@@ -1,5 +1,4 @@
 /* Colours by their names in CSS, which tests/unit/base/color_names.txt lists. */
-#include "input/text/color_names.h"
 #include "input/text/color_text.h"
 
 #include <ctype.h>

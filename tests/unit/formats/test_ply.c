@@ -1,5 +1,5 @@
 /* Reads PLY of every form, type and order of properties; bounds. */
-#include "input/ply/ply_values.h"
+#include "input/ply/ply_file.h"
 #include "support/tests.h"
 #include "unit/common/texts.h"
 

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "input/formats/formats.h"
-#include "input/ply/ply_values.h"
+#include "input/ply/ply_file.h"
 #include "support/tests.h"
 #include "unit/common/by_teams.h"
 

@@ -1,7 +1,7 @@
 /* PNGs of every kind that hold 8 bits, and everything that is not quite one. */
 #include <stdlib.h>
 
-#include "input/images/png_read.h"
+#include "input/images/image_file.h"
 #include "support/test_arena.h"
 #include "support/tests.h"
 #include "unit/common/guarded.h"

@@ -1,7 +1,6 @@
 /* Bare meshes of points only: the size of the points, and the edges that the looks omit. */
 #include "base/team.h"
 #include "input/query/cloud.h"
-#include "input/query/point_spacing.h"
 #include "render_request.h"
 #include "scene/looks.h"
 #include "scene/parsed_picture.h"

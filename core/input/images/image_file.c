@@ -1,4 +1,4 @@
-#include "input/images/image_size.h"
+#include "input/images/image_file.h"
 
 #include <inttypes.h>
 
