@@ -123,15 +123,16 @@ struct elements {
     size_t size, stride;
 };
 
-/* Returns the first byte of the elements, or NULL and a fault if they are not within the view. */
-static const unsigned char *find_elements(struct zr_gltf *file, const struct zr_json_path *path,
-                                          const struct zr_parsed_bytes *view, const struct elements *of)
+/* Sets *first to the first byte of the elements. False, and a fault, if they are not within the view. */
+static bool find_elements(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_parsed_bytes *view,
+                          const struct elements *of, const unsigned char **first)
 {
     const uint64_t end = of->count == 0 ? of->offset : of->offset + (uint64_t)(of->count - 1) * of->stride + of->size;
-    if (end <= view->size) return (const unsigned char *)view->bytes + of->offset;
-    zr_json_fault(&file->json, path, "%u elements end at byte %llu of a view of %zu", of->count,
-                  (unsigned long long)end, view->size);
-    return NULL;
+    if (end > view->size)
+        return zr_json_fault(&file->json, path, "%u elements end at byte %llu of a view of %zu", of->count,
+                             (unsigned long long)end, view->size);
+    *first = (const unsigned char *)view->bytes + of->offset;
+    return true;
 }
 
 static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, size_t size, struct zr_gltf_values *out)
@@ -143,15 +144,12 @@ static bool open_sparse(struct zr_gltf *file, const struct zr_json_path *path, s
     struct zr_parsed_bytes view;
     if (sparse->count > out->count)
         return zr_json_fault(&file->json, ZR_JSON_KEY(at, "count"), "%u of %u elements", sparse->count, out->count);
-    if (!zr_gltf_find_view(file, ZR_JSON_KEY(indices, fields[VIEW].key), sparse->indices_view, &view)) return false;
-    out->sparse_indices = find_elements(
-        file, indices, &view, &(struct elements){sparse->indices_offset, sparse->count, index_size, index_size});
-    if (!out->sparse_indices ||
-        !zr_gltf_find_view(file, ZR_JSON_KEY(values, fields[VIEW].key), sparse->values_view, &view))
-        return false;
-    out->sparse_values =
-        find_elements(file, values, &view, &(struct elements){sparse->values_offset, sparse->count, size, size});
-    return out->sparse_values;
+    const struct elements of_indices = {sparse->indices_offset, sparse->count, index_size, index_size},
+                          of_values = {sparse->values_offset, sparse->count, size, size};
+    return zr_gltf_find_view(file, ZR_JSON_KEY(indices, fields[VIEW].key), sparse->indices_view, &view) &&
+           find_elements(file, indices, &view, &of_indices, &out->sparse_indices) &&
+           zr_gltf_find_view(file, ZR_JSON_KEY(values, fields[VIEW].key), sparse->values_view, &view) &&
+           find_elements(file, values, &view, &of_values, &out->sparse_values);
 }
 
 /* Limits the number of elements without a view, which use no bytes, by the size of the request. */
@@ -190,9 +188,8 @@ bool zr_gltf_open(struct zr_gltf *file, const struct zr_json_path *path, uint32_
         if (stride > 0) out->stride = stride;
         if (out->stride < size)
             return zr_json_fault(&file->json, at, "elements of %zu bytes, %u apart in their view", size, stride);
-        out->bytes =
-            find_elements(file, at, &view, &(struct elements){accessor->offset, accessor->count, size, out->stride});
-        if (!out->bytes) return false;
+        const struct elements of = {accessor->offset, accessor->count, size, out->stride};
+        if (!find_elements(file, at, &view, &of, &out->bytes)) return false;
     }
     return accessor->sparse.count == 0 || open_sparse(file, at, size, out);
 }

@@ -270,7 +270,7 @@ struct zr_instance *zr_parsed_make_instances(struct zr_parsed_scene *root, const
 /* json_flow.c: reads the key `to` of an output, a struct zr_parsed_flow. */
 zr_json_read_fn zr_read_flow;
 
-/* json_flow_target.c: finds the target of the flow, after the instances. */
+/* json_flow.c: finds the target of the flow, after the instances. */
 void zr_parsed_find_flow(struct zr_parsed_scene *root);
 
 /* json_mesh.c: finds the number of the mesh with this name, once there are meshes. False, and a fault at `path`, if

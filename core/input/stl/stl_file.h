@@ -178,13 +178,13 @@ void zr_stl_read_solids(struct zr_stl_reader *reader);
  * Counts each kind for a warning. */
 void zr_stl_read_leniently(struct zr_stl_reader *reader);
 
-/* ---- stl_color.c: colours of facets in binary STL, in the two bytes of attributes after each triangle
+/* ---- stl_color.c: colours of facets in binary STL, in the two bytes of attributes after each triangle ----
  *
  * VisCAM and SolidView: bit 15 is set if the facet has a colour, with red in bits 10 to 14, blue in bits 0 to 4.
  * Magics:  the header has "COLOR=" and four bytes, the colour of the part. Bit 15 is clear if the facet has its own
  *          colour, with red in bits 0 to 4, blue in bits 10 to 14.
  * MeshLab: as Magics, but with bit 15 set on each facet, although the colours differ.
- * Others:  many programs leave arbitrary bytes there. ---- */
+ * Others:  many programs leave arbitrary bytes there. */
 
 /* Bits of a set of attributes. For the empty set, `all` is UINT16_MAX and the others are 0. */
 struct zr_stl_attributes {
