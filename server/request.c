@@ -92,12 +92,6 @@ enum refusal load_busy_with(const struct load *load, const struct service *servi
     return REFUSAL_CONTAINER;
 }
 
-void request_free(struct request *request)
-{
-    free(request->render);
-    request->render = NULL;
-}
-
 void request_take_id(struct request *request, struct service *service, const char *client_id)
 {
     static const char ALLOWED[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";

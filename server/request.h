@@ -87,7 +87,7 @@ struct request {
 
     /* Set by rendering_open and drake_open: */
     char boundary[MULTIPART_BOUNDARY_SIZE]; /* of the body's parts; "": no parts */
-    struct zr_request *render;              /* without the body; texts of the query follow it; NULL: another route */
+    struct zr_request *render; /* malloc'd, without the body; texts of the query follow it; NULL: another route */
 
     /* Set by assets_open: */
     const char *asset; /* name of the asset, in `path`; "": a new asset; NULL: another route */
@@ -100,8 +100,6 @@ struct request {
     bool has_preset;                /* SIGHUP may change its parameters */
     bool has_answer;                /* If-None-Match: the client has the answer */
 };
-
-void request_free(struct request *request);
 
 /* Sets the id: the client's if it has 1..128 of [A-Za-z0-9._-], else a new one. */
 void request_take_id(struct request *request, struct service *service, const char *client_id);

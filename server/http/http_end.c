@@ -81,7 +81,7 @@ void http_close_exchange(struct exchange *exchange)
     atomic_fetch_sub(&http->answer_bytes, exchange->answer_bytes);
     upload_free(&exchange->upload, &http->uploads);
     if (exchange->request.stream) stream_free(&exchange->stream);
-    request_free(&exchange->request);
+    free(exchange->request.render);
     answer_free(&exchange->answer);
     answer_free(&exchange->made);
     free(exchange->target);
