@@ -15,10 +15,8 @@ bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_
 {
     const struct zr_json_row flat = {side * side, side * side, -limit, limit}, of_row = {side, side, -limit, limit};
     size_t row = 0;
-    if (zr_json_type(json) == ZR_JSON_OBJECT) {
-        *nested = true;
-        return zr_json_array_square(json, path, side, limit, out);
-    }
+    *nested = true;
+    if (zr_json_type(json) == ZR_JSON_OBJECT) return zr_json_array_square(json, path, side, limit, out);
     if (zr_json_type(json) != ZR_JSON_LIST) return zr_json_expect(json, path, "a matrix");
     bool good = true;
     *nested = has_rows(json);
