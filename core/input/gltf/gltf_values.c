@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "base/inlined.h"
 
 /* Elements between checks for cancellation: about 20 microseconds. */
 enum { AT_ONCE = 4096, WIDTH_MAX = 16 };
@@ -34,7 +35,7 @@ static float at_least_minus_one(float value)
     return value < -1.0f ? -1.0f : value;
 }
 
-static float read_number(const unsigned char *at, uint32_t type, bool is_normalized)
+ZR_INLINED float read_number(const unsigned char *at, uint32_t type, bool is_normalized)
 {
     switch (type) {
     case ZR_GLTF_INT8: {
@@ -72,7 +73,7 @@ struct elements {
 };
 
 /* Reads `count` elements. It is inlined per type and width, so that frequent ones become short loops. */
-static inline void read_elements(struct elements of, uint32_t count, float *out, size_t step)
+ZR_INLINED void read_elements(struct elements of, uint32_t count, float *out, size_t step)
 {
     const size_t size = zr_gltf_type_bytes(of.type);
     for (uint32_t i = 0; i < count; i++, of.at += of.stride, out += step)
