@@ -43,7 +43,7 @@ parts() { DATA=$work tests/run.sh "$work/fake" unit >"$work/said" 2>"$work/compl
 parts
 status=$?
 verdict "tests that pass end with 0" [ "$status" = 0 ]
-verdict "a part is reported with its time" grep -Eq '^unit: 3 passed, 1 skipped in [0-9]+ s$' "$work/said"
+verdict "a part is reported with its times" grep -Eq '^unit: 3 passed, 1 skipped in [0-9]+ s, [0-9]+ s of processors$' "$work/said"
 verdict "and the last line has the sums" [ "$(tail -n 1 "$work/said")" = "3 passed, 0 failed, 1 skipped" ]
 program unit/room/test_b "ok 1 - three"
 parts
@@ -59,7 +59,7 @@ parts
 status=$?
 verdict "a test that fails ends with 1" [ "$status" = 1 ]
 verdict "is reported" grep -q '^FAILED in unit-room-test_b' "$work/said"
-verdict "and counted in its part" grep -Eq '^unit: 3 passed, 1 failed in [0-9]+ s$' "$work/said"
+verdict "and counted in its part" grep -Eq '^unit: 3 passed, 1 failed in [0-9]+ s, [0-9]+ s of processors$' "$work/said"
 verdict "and in the last line" [ "$(tail -n 1 "$work/said")" = "3 passed, 1 failed, 0 skipped" ]
 program property/test_b "not ok 1 - five"
 program unit/room/test_b "ok 1 - three"
