@@ -126,8 +126,10 @@ void output_set_encoding(struct options *options)
 
 bool output_may_be_folder(const char *path)
 {
-    if (output_is_folder(path)) return true;
-    return access(path, F_OK) != 0 && !output_is_name(path) && !input_has_ending(path);
+    struct stat status; /* is read once: another process may make the folder meanwhile */
+    if (path[strlen(path) - 1] == '/') return true;
+    if (stat(path, &status) == 0) return S_ISDIR(status.st_mode);
+    return !output_is_name(path) && !input_has_ending(path);
 }
 
 /* Returns true if an ending names a known format other than this one. An animated PNG may have the ending of a PNG,
