@@ -16,6 +16,7 @@
 #include "scene/algorithm.h"
 #include "scene/colormap.h"
 #include "scene/image.h"
+#include "scene/light_types.h"
 #include "scene/part_keys.h"
 #include "scene/section.h"
 #include "scene/shadings.h"
@@ -200,13 +201,6 @@ enum { ZR_LIGHTS_MAX = 1024 };
  * float. With three entries it may not: geometry/ drops primitives with infinities and NaN. */
 #define ZR_MATRIX_MAX 1e15f
 
-enum zr_light_type {
-    ZR_LIGHT_DIRECTIONAL, /* parallel, like the sun */
-    ZR_LIGHT_HEMISPHERE,  /* from all around, from a sky colour above to a ground colour below */
-    ZR_LIGHT_POINT,       /* from a position, in all directions */
-    ZR_LIGHT_SPOT         /* from a position, within a cone */
-};
-
 /* Shadings that a light affects. A look's ZR_LIT_CLASSIC lights replace its environment in flat, gouraud and phong. */
 enum zr_lit { ZR_LIT_ALL, ZR_LIT_CLASSIC /* flat, gouraud, phong */, ZR_LIT_PBR };
 
@@ -231,12 +225,12 @@ struct zr_light {
 /* True if the light needs a shadow map. */
 static inline bool zr_light_casts_shadows(const struct zr_light *light)
 {
-    return light->has_shadows && (light->type == ZR_LIGHT_DIRECTIONAL || light->type == ZR_LIGHT_SPOT);
+    return light->has_shadows && ZR_LIGHT_SET_SHADOWED >> light->type & 1;
 }
 
 static inline bool zr_light_has_place(const struct zr_light *light)
 {
-    return light->type == ZR_LIGHT_POINT || light->type == ZR_LIGHT_SPOT;
+    return ZR_LIGHT_SET_PLACED >> light->type & 1;
 }
 
 /* Depth cueing: the share of the fog's colour rises from 0 at depth `near` to 1 at depth `far`. Both are depths along

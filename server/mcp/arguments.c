@@ -86,66 +86,64 @@ bool mcp_model_is_z_up(const char *path, const void *bytes, size_t size)
 #define WHOLE(limits, text) "{\"type\":\"integer\",\"minimum\":0" limits ",\"description\":\"" text "\"}"
 #define OBJECT(text)        "{\"type\":\"object\",\"description\":\"" text "\"}"
 
-enum { ALL = (1 << MCP_TOOLS) - 1, PICTURES = 1 << MCP_RENDER | 1 << MCP_PICK };
-
 const struct mcp_key mcp_model_sources[] = {
-    {"base64", ALL, STRING("The file's bytes in base64."), NULL},
-    {"text", ALL, STRING("The file's text, if its format is text."), NULL},
+    {"base64", MCP_ALL_TOOLS, STRING("The file's bytes in base64."), NULL},
+    {"text", MCP_ALL_TOOLS, STRING("The file's text, if its format is text."), NULL},
     {"path", MCP_OF_FILES, STRING("Path of the file from the server's folder. The path '.' lists its models."), NULL},
     {"asset", MCP_OF_ASSETS, STRING("'sha256:' and the hash of an asset that was uploaded by POST /v1/assets."), NULL},
     {NULL, 0, NULL, NULL}};
 
 const struct mcp_key mcp_part_keys[] = {
-    {"hide", ALL, "{}", NULL},
-    {"isolate", ALL, "{}", NULL},
-    {"ghost", ALL, "{}", NULL},
-    {"highlight", ALL, "{}", NULL},
-    {"explode", ALL, "{}", NULL},
-    {"colors", ALL, "{\"type\":\"string\",\"enum\":[\"own\",\"parts\",\"materials\"]}", NULL},
+    {"hide", MCP_ALL_TOOLS, "{}", NULL},
+    {"isolate", MCP_ALL_TOOLS, "{}", NULL},
+    {"ghost", MCP_ALL_TOOLS, "{}", NULL},
+    {"highlight", MCP_ALL_TOOLS, "{}", NULL},
+    {"explode", MCP_ALL_TOOLS, "{}", NULL},
+    {"colors", MCP_ALL_TOOLS, "{\"type\":\"string\",\"enum\":[\"own\",\"parts\",\"materials\"]}", NULL},
     {NULL, 0, NULL, NULL}};
 
 const struct mcp_key mcp_arguments[] = {
-    {"model", ALL, "{\"type\":\"object\",\"description\":\"The model, a file ($},\"additionalProperties\":false}",
-     put_model},
-    {"scene", ALL,
+    {"model", MCP_ALL_TOOLS,
+     "{\"type\":\"object\",\"description\":\"The model, a file ($},\"additionalProperties\":false}", put_model},
+    {"scene", MCP_ALL_TOOLS,
      OBJECT("A scene instead of a model, as POST /v1/render takes it, such as {'polygons': [{'vertices': "
             "[[0,0,0],[1,0,0],[0,1,0]]}]}. With a model, the scene names it by {'meshes': [{'asset': 'model'}]}, or "
             "by the name of its file if it is given by path. Arguments override the scene's keys."),
      NULL},
-    {"up", ALL,
+    {"up", MCP_ALL_TOOLS,
      "{\"type\":\"string\",\"enum\":[\"y\",\"z\"],\"description\":\"Axis of the file that points up. Default: z for "
      "$, else y. It changes the names of sides, no coordinates. For CAD models with z up, say z.\"}",
      put_z_up},
-    {"views", PICTURES,
+    {"views", MCP_DRAWING_TOOLS,
      "{\"type\":\"array\",\"minItems\":1,\"items\":{\"anyOf\":[{\"type\":\"string\",\"enum\":[$]},{\"type\":"
      "\"object\",\"description\":\"A view of a scene: {'name': 'low', 'view': {'azimuthDegrees': 30, "
      "'elevationDegrees': -20}}; view may also have target and distance, or eye, target and up. Azimuth 0 is the "
      "front, 90 the right.\"}]},\"description\":\"Views to draw, each as a picture of its own (up to 8), or with "
      "sheet 'views' all in one picture (up to 4096).\"}",
      put_presets},
-    {"sheet", PICTURES,
+    {"sheet", MCP_DRAWING_TOOLS,
      "{\"type\":\"string\",\"enum\":[\"balanced\",\"threeView\",\"views\"],\"description\":\"One picture of several "
      "views at one scale. balanced, the default without views: two corners from above and two from below, which show "
      "all sides. threeView: front, top, right and isometric. views: those of the argument.\"}",
      NULL},
-    {"look", PICTURES, STRING("$or NAME@VERSION, which pins its pixels. Default: studio."), put_looks},
-    {"parts", PICTURES,
+    {"look", MCP_DRAWING_TOOLS, STRING("$or NAME@VERSION, which pins its pixels. Default: studio."), put_looks},
+    {"parts", MCP_DRAWING_TOOLS,
      "{\"type\":\"object\",\"properties\":{$},\"description\":\"hide, isolate, ghost and highlight take names, "
      "patterns such as 'bolt*' or ids of parts, one or a list. explode is a factor. colors 'parts' gives each part a "
      "colour.\"}",
      put_parts},
-    {"sections", PICTURES,
+    {"sections", MCP_DRAWING_TOOLS,
      OBJECT("Planes that cut the model open, with hatched caps: {'planes': [{'axis': 'x', 'fraction': 0.5}]}; a plane "
             "may have offset (a coordinate) instead of fraction, and keep 'positive' or 'negative'."),
      NULL},
-    {"annotate", PICTURES,
+    {"annotate", MCP_DRAWING_TOOLS,
      "{\"type\":\"boolean\",\"description\":\"Captions of a sheet: name, direction and scale of each view. Default: "
      "true.\"}",
      NULL},
-    {"width", PICTURES,
+    {"width", MCP_DRAWING_TOOLS,
      SIDE(",\"description\":\"Pixels of each picture; 1024 for a sheet, 800, 640 or 512 by the number of views.\""),
      NULL},
-    {"height", PICTURES, SIDE(""), NULL},
+    {"height", MCP_DRAWING_TOOLS, SIDE(""), NULL},
     {"format", 1 << MCP_RENDER,
      "{\"type\":\"string\",\"enum\":[$],\"description\":\"Default: png, or jpeg if the pictures would have more than "
      "700 kB.\"}",

@@ -3,10 +3,30 @@
 #ifndef MCP_ARGUMENTS_H
 #define MCP_ARGUMENTS_H
 
+#include <stdbool.h>
+
 #include "faults.h"
 #include "text.h"
 
-enum mcp_tool { MCP_RENDER, MCP_FACTS, MCP_PICK, MCP_TOOLS };
+/* ROW(ID, whether it draws: it takes the arguments of pictures and tells their views) */
+#define MCP_TOOL_ROWS(ROW)                                                                                             \
+    ROW(RENDER, true)                                                                                                  \
+    ROW(FACTS, false)                                                                                                  \
+    ROW(PICK, true)
+
+#define MCP_TOOL(ID, draws) MCP_##ID,
+enum mcp_tool { MCP_TOOL_ROWS(MCP_TOOL) MCP_TOOLS };
+#undef MCP_TOOL
+
+/* Sets of tools. */
+#define MCP_DRAWING_TOOL(ID, draws) | (draws) << MCP_##ID
+enum { MCP_ALL_TOOLS = (1 << MCP_TOOLS) - 1, MCP_DRAWING_TOOLS = 0 MCP_TOOL_ROWS(MCP_DRAWING_TOOL) };
+#undef MCP_DRAWING_TOOL
+
+static inline bool mcp_draws(enum mcp_tool tool)
+{
+    return MCP_DRAWING_TOOLS >> tool & 1;
+}
 
 /* A key of an object. */
 struct mcp_key {

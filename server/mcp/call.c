@@ -59,7 +59,7 @@ static cJSON *make_content(const struct mcp_job *job, const struct mcp_shots *sh
     else
         mcp_facts_add(content, shots->at[0].info);
     for (unsigned i = 0; i < shots->count; i++) {
-        if (job->tool != MCP_FACTS) mcp_facts_add_views(views, &shots->at[i], i, job->is_sheet);
+        if (mcp_draws(job->tool)) mcp_facts_add_views(views, &shots->at[i], i, job->is_sheet);
         mcp_facts_add_warnings(warnings, shots->at[i].info);
     }
     if (shots->is_smaller)
@@ -67,7 +67,7 @@ static cJSON *make_content(const struct mcp_job *job, const struct mcp_shots *sh
     if (job->is_resized)
         mcp_append(warnings, cJSON_CreateString("the scene's window is larger than 1568 pixels; the picture "
                                                 "is smaller"));
-    if (job->tool != MCP_FACTS)
+    if (mcp_draws(job->tool))
         mcp_add(content, "views", views);
     else
         cJSON_Delete(views);

@@ -140,7 +140,7 @@ bool mcp_given_check(struct mcp_job *job)
 {
     const struct mcp_span visibility = job->own[MCP_OWN_VISIBILITY], render = job->own[MCP_OWN_RENDER];
     if (job->own[MCP_OWN_MESHES].at) check_meshes(job, job->own[MCP_OWN_MESHES]);
-    if (job->tool == MCP_FACTS) return job->faults.count == 0;
+    if (!mcp_draws(job->tool)) return job->faults.count == 0;
     if (render.at && *render.at == 'f')
         mcp_fault(&job->faults, "/scene/render", "leave it out, or call facts, which draws nothing");
     if (job->own[MCP_OWN_SHEET].at && !mcp_job_argument(job, "sheet") && !mcp_job_argument(job, "views") &&

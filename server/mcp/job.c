@@ -199,7 +199,7 @@ bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct
     find_own(job);
     job->is_bare = !job->message->scene.at || (job->model.is_given && !job->own[MCP_OWN_MESHES].at);
     if (tool == MCP_RENDER) read_format(job);
-    if (tool != MCP_FACTS) {
+    if (mcp_draws(tool)) {
         read_views(job);
         if (job->images > MCP_IMAGES_MAX) return false;
         read_window(job);

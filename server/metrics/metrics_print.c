@@ -216,8 +216,7 @@ static void look_at_process(double numbers[METRICS_NUMBERS])
 {
     struct rusage usage;
     struct rlimit limit;
-    for (int i = METRICS_CPU_S; i < METRICS_NUMBERS; i++)
-        numbers[i] = -1;
+    numbers[METRICS_CPU_S] = numbers[METRICS_RESIDENT] = numbers[METRICS_VIRTUAL] = numbers[METRICS_MAX_FILES] = -1;
     numbers[METRICS_OPEN_FILES] = count_files();
     read_memory(numbers);
     if (getrusage(RUSAGE_SELF, &usage) == 0)

@@ -1,4 +1,4 @@
-/* drake_form.h - the fields of Drake's form (drake.h). */
+/* drake_form.h - the fields of Drake's form (drake.c). */
 #ifndef ZRASTERD_DRAKE_FORM_H
 #define ZRASTERD_DRAKE_FORM_H
 

@@ -23,9 +23,6 @@
 
 enum { NAME_SIZE = 200, LOOK_SIDE = 100, TRACE_SIDE = 48 };
 
-static const char *const encodings[ZR_ENCODING_COUNT] = {"png",  "png16", "png32", "npy",  "json", "svg",
-                                                         "tiff", "apng",  "pfm",   "jpeg", "webp", "zip"};
-
 static struct options {
     const char *models, *isas, *only;
     long random_scenes;
@@ -98,15 +95,15 @@ static void ask_channel(const struct scene_file *file, enum zr_channel channel, 
     const struct zr_channel_row *row = &zr_channel_rows[channel];
     for (int e = 0; e < row->encoding_count; e++) {
         char what[NAME_SIZE], output[NAME_SIZE];
-        snprintf(what, sizeof what, "%s %s", row->name, encodings[row->encodings[e]]);
+        snprintf(what, sizeof what, "%s %s", row->name, zr_encoding_rows[row->encodings[e]].word);
         snprintf(output, sizeof output, "\"channel\":\"%s\",\"encoding\":\"%s\"", row->name,
-                 encodings[row->encodings[e]]);
+                 zr_encoding_rows[row->encodings[e]].word);
         if (channel == ZR_CHANNEL_POSITION && row->encodings[e] == ZR_ENCODING_PNG)
             snprintf(output, sizeof output, "\"channel\":\"position\",\"encoding\":\"png\",\"space\":\"nocs\"");
         if (channel == ZR_CHANNEL_FLOW)
             snprintf(output, sizeof output,
                      "\"channel\":\"flow\",\"encoding\":\"%s\",\"to\":{\"view\":{\"preset\":\"front\"}}",
-                     encodings[row->encodings[e]]);
+                     zr_encoding_rows[row->encodings[e]].word);
         if (channel == ZR_CHANNEL_FRAGMENTS)
             snprintf(output, sizeof output, "\"channel\":\"%s\",\"x\":%d,\"y\":%d", row->name, file->window[0] / 2,
                      file->window[1] / 2);

@@ -28,8 +28,6 @@ static const struct zr_json_field spot_fields[] = {
 #undef AT
 static const struct zr_json_object spot_object = ZR_JSON_OBJECT_OF("spot", spot_fields);
 
-static const char *const types[] = {"directional", "hemisphere", "point", "spot"};
-
 struct given_light {
     const char *type, *spot; /* spot: JSON text */
     double color[3], intensity, range;
@@ -81,14 +79,13 @@ static bool convert(const struct given_light *given, const struct given_spot *sp
 
 static void read_light(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
-    static const struct zr_names names = ZR_NAMES(4, types);
     struct given_light given = {.type = "", .color = {1, 1, 1}, .intensity = 1};
     struct given_spot spot = {0, 45 / TO_DEGREES};
     zr_gltf_fields(file, json, path, &object, &given);
     if (given.spot) {
         zr_gltf_fields_at(file, given.spot, ZR_JSON_KEY(path, fields[SPOT].key), &spot_object, &spot);
     }
-    const int type = zr_names_find(&names, given.type);
+    const int type = zr_names_find(&zr_light_names, given.type);
     struct zr_light *light = &file->lights[number];
     *light = (struct zr_light){.type = type < 0 ? ZR_LIGHT_HEMISPHERE : (enum zr_light_type)type};
     if (light->type == ZR_LIGHT_HEMISPHERE || !convert(&given, &spot, light)) {

@@ -18,10 +18,6 @@
 /* A wider cone leaves too few texels of the shadow map for its middle. */
 #define SHADOW_DEGREES_MAX 80.0
 
-/* In the order of enum zr_light_type. */
-static const char *const light_types[] = {"directional", "hemisphere", "point", "spot"};
-static const struct zr_names type_names = ZR_NAMES(ZR_LIGHT_SPOT + 1, light_types);
-
 enum { FRAME_WORLD, FRAME_CAMERA, FRAMES };
 static const char *const frames[] = {"world", "camera"};
 static const struct zr_names frame_names = ZR_NAMES(FRAMES, frames);
@@ -68,12 +64,9 @@ static bool read_half_angle(struct zr_json *json, const struct zr_json_path *pat
 }
 
 /* Types that have a key. */
-enum {
-    OF_DIRECTIONAL = 1 << ZR_LIGHT_DIRECTIONAL,
-    OF_HEMISPHERE = 1 << ZR_LIGHT_HEMISPHERE,
-    OF_POINT = 1 << ZR_LIGHT_POINT,
-    OF_SPOT = 1 << ZR_LIGHT_SPOT
-};
+#define OF(ID, ...) OF_##ID = 1 << ZR_LIGHT_##ID,
+enum { ZR_LIGHT_ROWS(OF) };
+#undef OF
 
 enum {
     TYPE,
@@ -94,7 +87,7 @@ enum {
 };
 #define AT(member) offsetof(struct given_light, member)
 static const struct zr_json_field fields[] = {
-    [TYPE] = {"type", zr_json_choice, AT(type), .words = &type_names, .required = true, .text = "kind of light"},
+    [TYPE] = {"type", zr_json_choice, AT(type), .words = &zr_light_names, .required = true, .text = "kind of light"},
     [DIRECTION] = {"direction", read_direction, AT(direction),
                    .text = "directional, spot: direction in which the light travels",
                    .schema = ZR_SCHEMA_OF("direction"), .of = OF_DIRECTIONAL | OF_SPOT,
@@ -166,8 +159,7 @@ static void check_cone(struct zr_json *json, const struct zr_json_path *path, co
 
 static void check_light(struct zr_json *json, const struct zr_json_path *path, const struct given_light *given)
 {
-    const bool is_placed = given->type == ZR_LIGHT_POINT || given->type == ZR_LIGHT_SPOT;
-    const double most = is_placed ? INTENSITY_PLACED_MAX : INTENSITY_MAX;
+    const double most = ZR_LIGHT_SET_PLACED >> given->type & 1 ? INTENSITY_PLACED_MAX : INTENSITY_MAX;
     if (given->type == ZR_LIGHT_SPOT) check_cone(json, path, given);
     if (!(given->intensity >= 0.0 && given->intensity <= most))
         zr_json_fault(json, ZR_JSON_KEY(path, fields[INTENSITY].key), "%.10g is outside of %.10g to %.10g",

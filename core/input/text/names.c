@@ -9,6 +9,7 @@
 #include "scene/algorithm.h"
 #include "scene/camera/mesh_up.h"
 #include "scene/colormap.h"
+#include "scene/light_types.h"
 #include "scene/looks.h"
 
 #define WORD(ID, word, ...) word,
@@ -16,6 +17,9 @@ static const char *const shadings[] = {ZR_SHADINGS(WORD)};
 #undef WORD
 #define WORD(ID, word) word,
 static const char *const algorithms[] = {ZR_ALGORITHMS(WORD)};
+#undef WORD
+#define WORD(ID, word, ...) word,
+static const char *const lights[] = {ZR_LIGHT_ROWS(WORD)};
 #undef WORD
 static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
 static const char *const axes[] = {"y", "z"};
@@ -29,6 +33,7 @@ static const char *const alpha_modes[] = {"OPAQUE", "MASK", "BLEND"};
 const struct zr_names zr_alpha_mode_names = ZR_NAMES(ZR_ALPHA_COUNT, alpha_modes);
 const struct zr_names zr_preset_names = ZR_NAMES(ZR_PRESET_COUNT, presets);
 const struct zr_names zr_algorithm_names = ZR_NAMES(ZR_ALGORITHM_COUNT, algorithms);
+const struct zr_names zr_light_names = ZR_NAMES(ZR_LIGHT_TYPE_COUNT, lights);
 const struct zr_names zr_up_names = ZR_NAMES(2, axes);
 const struct zr_names zr_mesh_up_names = ZR_NAMES(ZR_MESH_UP_COUNT, mesh_axes);
 const struct zr_names zr_colormap_names = ZR_NAMES(ZR_COLORMAP_COUNT, colormaps);

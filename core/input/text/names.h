@@ -28,7 +28,7 @@ int zr_names_of_query(const char *parameter, const struct zr_names *names, const
 
 /* Lists the supported words, for a message: "a, b, c". */
 struct zr_names_text {
-    char text[440];
+    char text[640];
 };
 struct zr_names_text zr_names_join(const struct zr_names *names);
 
@@ -51,6 +51,7 @@ extern const struct zr_names zr_shading_names;    /* enum zr_shading */
 extern const struct zr_names zr_alpha_mode_names; /* enum zr_alpha_mode */
 extern const struct zr_names zr_preset_names;     /* enum zr_preset */
 extern const struct zr_names zr_algorithm_names;  /* enum zr_algorithm */
+extern const struct zr_names zr_light_names;      /* enum zr_light_type */
 extern const struct zr_names zr_up_names;         /* the up axis: y, z */
 extern const struct zr_names zr_mesh_up_names;    /* enum zr_mesh_up */
 extern const struct zr_names zr_colormap_names;   /* enum zr_colormap */

@@ -23,6 +23,7 @@ static inline bool is_same_rgb(zr_vec3 a, zr_vec3 b)
 }
 
 /* Member by member: what is between them has no value. */
+_Static_assert(sizeof(struct zr_picture) == 176, "a new member is compared here, too");
 static inline bool is_same_picture(const struct zr_picture *a, const struct zr_picture *b)
 {
     const struct zr_environment *ea = &a->environment, *eb = &b->environment;
