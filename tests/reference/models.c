@@ -10,6 +10,7 @@
 #include "reference/page/page.h"
 #include "reference/subject.h"
 #include "render_request.h"
+#include "scene/looks.h"
 #include "support/files.h"
 
 static const char *const names[] = {"stanford-bunny", "teapot"};
@@ -25,7 +26,7 @@ static const uint32_t windows[][2] = {{1920, 1080}, {509, 383}};
 static bool mesh_read(struct zr_arena *arena, const char *bytes, size_t size, struct zr_mesh *mesh)
 {
     struct zr_limits limits = zr_limits_default();
-    struct zr_scene scene = {.mesh_count = 0};
+    struct zr_scene scene = {.picture = zr_look_textbook()->picture};
     struct zr_scene_builder builder = zr_scene_builder_open(arena, NULL, &scene);
     struct zr_error error = {.status = ZR_OK};
     const struct zr_request request = {.format = ZR_FORMAT_OBJ, .bytes = bytes, .size = size};
