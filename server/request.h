@@ -115,8 +115,9 @@ struct work {
     const struct service *service;
     const struct request *request;
     struct zr_arena *arena; /* the answer does not point into it */
-    /* With small_only, `cancel` has a parent, which is raised when the request has run too long for a small one. It is
-     * read to its end all the same, by `reading`, the parent of that: only then is it known whether it is large. */
+    /* `cancel` ends the work, `reading` the reading of the body. With small_only, `cancel` is also raised when the
+     * request has run too long for a small one. The body is then still read to its end, which tells whether the request
+     * is large. */
     const struct zr_cancel *cancel, *reading;
     struct step_times *times; /* queue_ms is input, the others are output */
     struct answer *answer;

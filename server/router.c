@@ -146,9 +146,8 @@ static void add_missing(struct answer *answer, const char *name, const char *val
     if (!answer_find(answer, name)) answer_header(answer, name, "%s", value);
 }
 
-/* Adds headers that keep browsers from doing more with an answer than showing it, and caches from keeping faults. Pages
- * have policies of their own; pictures and assets, which pages of other sites may show, have
- * Cross-Origin-Resource-Policy: cross-origin. */
+/* Adds headers that let browsers only show an answer, and that keep faults out of caches. Pages have policies of their
+ * own. Pictures and assets have Cross-Origin-Resource-Policy: cross-origin, since pages of other sites may show them. */
 static void add_safety(struct answer *answer)
 {
     add_missing(answer, "X-Content-Type-Options", "nosniff");

@@ -126,7 +126,7 @@ void output_set_encoding(struct options *options)
 
 bool output_may_be_folder(const char *path)
 {
-    struct stat status; /* is read once: another process may make the folder meanwhile */
+    struct stat status; /* of one call: another process may make the folder between two */
     if (path[strlen(path) - 1] == '/') return true;
     if (stat(path, &status) == 0) return S_ISDIR(status.st_mode);
     return !output_is_name(path) && !input_has_ending(path);

@@ -17,11 +17,11 @@ static bool keep_results(zraster_picture *picture, const struct zr_scene *scene,
 {
     struct zr_arena *arena = picture->arena;
     struct zr_look_pin *pin = zr_arena_alloc(arena, 1, sizeof *pin);
-    picture->remains = zr_encode_input_make(arena, scene, frame);
-    if (!pin || !picture->remains) return false;
+    picture->encode_input = zr_encode_input_make(arena, scene, frame);
+    if (!pin || !picture->encode_input) return false;
     *pin = zr_look_pin_of(scene->look);
     picture->look = pin->text;
-    picture->warnings = zr_warnings_list(arena, &picture->remains->warnings, 0);
+    picture->warnings = zr_warnings_list(arena, &picture->encode_input->warnings, 0);
     return zr_arena_ok(arena);
 }
 
@@ -114,7 +114,7 @@ void zraster_picture_free(zraster_picture *picture)
 
 static const struct zr_view *view_of(const zraster_picture *picture)
 {
-    return picture->remains->frame.view;
+    return picture->encode_input->frame.view;
 }
 
 int zraster_picture_channel(const zraster_picture *picture, const char *channel, struct zraster_array *array)
@@ -123,8 +123,8 @@ int zraster_picture_channel(const zraster_picture *picture, const char *channel,
         [ZR_VALUES_RGBA] = ZRASTER_U1, [ZR_VALUES_FLOAT32] = ZRASTER_F4, [ZR_VALUES_UINT32] = ZRASTER_U4};
     int number = 0;
     *array = (struct zraster_array){.data = NULL};
-    if (!picture->remains) return 0;
-    const struct zr_frame *frame = &picture->remains->frame;
+    if (!picture->encode_input) return 0;
+    const struct zr_frame *frame = &picture->encode_input->frame;
     while (number < ZR_CHANNEL_COUNT && strcmp(zr_channel_rows[number].name, channel) != 0)
         number++;
     if (number == ZR_CHANNEL_COUNT || !frame->channels[number] ||
@@ -141,7 +141,7 @@ int zraster_picture_channel(const zraster_picture *picture, const char *channel,
 
 int zraster_picture_has_alpha(const zraster_picture *picture)
 {
-    return picture->remains && picture->remains->scene.background.w < 1.0f;
+    return picture->encode_input && picture->encode_input->scene.background.w < 1.0f;
 }
 
 const char *zraster_picture_look(const zraster_picture *picture)
@@ -180,12 +180,13 @@ static enum zr_status keep_files(zraster_picture *picture, const struct zr_files
 
 static enum zr_status encode(zraster_picture *picture, struct zr_error *error)
 {
-    const struct zr_encode_input *remains = picture->remains;
+    const struct zr_encode_input *encode_input = picture->encode_input;
     struct zr_files files;
     struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH);
     if (!scratch) return ZR_NO_MEMORY;
     const struct zr_run run = run_of(picture, scratch, NULL, error);
-    enum zr_status status = zr_encode_files(&run, &remains->scene, &remains->frame, &remains->warnings, &files);
+    enum zr_status status =
+        zr_encode_files(&run, &encode_input->scene, &encode_input->frame, &encode_input->warnings, &files);
     if (status == ZR_OK) status = keep_files(picture, &files);
     zr_renderer_give(picture->renderer, scratch, ZR_ARENA_SCRATCH);
     return status;

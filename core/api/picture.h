@@ -10,7 +10,7 @@ struct zraster_picture {
     zraster *renderer;
     zraster_cancel *cancel; /* of the request; or NULL */
     struct zr_arena *arena;
-    struct zr_encode_input *remains; /* NULL: the picture has several views, which are encoded */
+    struct zr_encode_input *encode_input; /* NULL: the picture has several views, which are encoded */
     const char *look;
     struct zr_warning_list warnings;
     struct zr_files files;       /* entries NULL: not encoded yet */

@@ -32,7 +32,7 @@ struct zr_winding_scratch {
     uint32_t edge_count, edge_room;
     void *rows, *walls, *numbers; /* arrays by row and by column of the window, and by edge; NULL: no cap yet */
     uint32_t number_room;
-    struct zr_cap_samples claims;
+    struct zr_cap_samples cap_samples;
 };
 
 /* Arrays for primitives that are placed one by one. A draw never spans two of these arrays, so nothing moves. */

@@ -16,15 +16,16 @@ struct zr_cap_samples {
     uint64_t *bits[ZR_SECTION_PLANES_MAX]; /* per plane; NULL: no samples are shared */
 };
 
-/* Makes empty claims. False: the arena has no memory. */
+/* Makes empty cap_samples. False: the arena has no memory. */
 bool zr_cap_samples_make(struct zr_arena *arena, const struct zr_scene *scene, uint32_t width, uint32_t height,
-                         struct zr_cap_samples *claims);
+                         struct zr_cap_samples *cap_samples);
 
 /* Returns the end of the samples from `column` on, at most `end`, that are all taken, or all free. Sets *is_taken. */
-int32_t zr_cap_samples_run(const struct zr_cap_samples *claims, uint32_t plane, int32_t row, int32_t column,
+int32_t zr_cap_samples_run(const struct zr_cap_samples *cap_samples, uint32_t plane, int32_t row, int32_t column,
                            int32_t end, bool *is_taken);
 
 /* Takes the samples begin .. end - 1 of a row. */
-void zr_cap_samples_take(const struct zr_cap_samples *claims, uint32_t plane, int32_t row, int32_t begin, int32_t end);
+void zr_cap_samples_take(const struct zr_cap_samples *cap_samples, uint32_t plane, int32_t row, int32_t begin,
+                         int32_t end);
 
 #endif

@@ -13,7 +13,7 @@ struct wall {
 struct winding {
     struct zr_builder *builder;
     const struct zr_wound_edge *edges;
-    const struct zr_cap_samples *claims; /* NULL: no other cap lies in the plane */
+    const struct zr_cap_samples *cap_samples; /* NULL: no other cap lies in the plane */
     uint32_t plane;
     uint32_t *starts; /* per row from first_row on: 1 + the first edge that begins there; 0: none */
     uint32_t *next;   /* per edge: 1 + the next one that begins in the same row; 0: none */
@@ -88,7 +88,8 @@ static bool row_differs(const struct winding *w, int32_t row)
         if (from < to && number != 0) {
             bool is_taken = false;
             if ((number & 1) == 0) return true;
-            if (w->claims && (zr_cap_samples_run(w->claims, w->plane, row, from, to, &is_taken) < to || is_taken))
+            if (w->cap_samples &&
+                (zr_cap_samples_run(w->cap_samples, w->plane, row, from, to, &is_taken) < to || is_taken))
                 return true;
         }
         number += w->changes[i].sign;
@@ -110,7 +111,8 @@ static void add_free(struct winding *w, int32_t row, int32_t begin, int32_t end)
 {
     while (begin < end) {
         bool is_taken = false;
-        const int32_t next = w->claims ? zr_cap_samples_run(w->claims, w->plane, row, begin, end, &is_taken) : end;
+        const int32_t next =
+            w->cap_samples ? zr_cap_samples_run(w->cap_samples, w->plane, row, begin, end, &is_taken) : end;
         if (!is_taken) add_wall(w, begin, row);
         if (!is_taken) add_wall(w, next, row);
         begin = next;
@@ -132,7 +134,7 @@ static void for_each_run(struct winding *w, int32_t row,
 
 static void take(struct winding *w, int32_t row, int32_t begin, int32_t end)
 {
-    zr_cap_samples_take(w->claims, w->plane, row, begin, end);
+    zr_cap_samples_take(w->cap_samples, w->plane, row, begin, end);
 }
 
 /* Appends a vertical edge up to the begin of `row`. */
@@ -212,7 +214,7 @@ static bool add_walls(struct winding *w, uint32_t count)
         if (!zr_builder_go_on(w->builder, w->active_count)) return false;
         w->wall_count = 0;
         for_each_run(w, row, add_free);
-        if (w->claims) for_each_run(w, row, take);
+        if (w->cap_samples) for_each_run(w, row, take);
         if (!join_walls(w, row)) return false;
     }
     w->wall_count = 0;
@@ -243,7 +245,8 @@ static bool make_rooms(struct zr_builder *builder, uint32_t count, struct windin
     if (!scratch->rows) {
         scratch->rows = zr_arena_alloc(builder->run->arena, window->height, sizeof *w->starts);
         scratch->walls = zr_arena_alloc(builder->run->arena, 2 * columns, sizeof *w->walls);
-        if (!zr_cap_samples_make(builder->run->arena, builder->scene, window->width, window->height, &scratch->claims))
+        if (!zr_cap_samples_make(builder->run->arena, builder->scene, window->width, window->height,
+                                 &scratch->cap_samples))
             return false;
     }
     if (count > scratch->number_room) {
@@ -291,11 +294,11 @@ bool zr_winding_add(struct zr_builder *builder, uint32_t cap)
     w.plane = builder->mesh->cap_planes ? builder->mesh->cap_planes[cap] : 0;
     const uint32_t face = builder->mesh->face_count - builder->mesh->cap_count + cap;
     const bool is_opaque = zr_material_of_face(builder->scene, builder->mesh, face)->alpha_mode == ZR_ALPHA_OPAQUE;
-    if (is_opaque && builder->winding.claims.bits[w.plane]) w.claims = &builder->winding.claims;
+    if (is_opaque && builder->winding.cap_samples.bits[w.plane]) w.cap_samples = &builder->winding.cap_samples;
     find_rows(&w, count);
     if (differs(&w, count)) return add_walls(&w, count);
     if (zr_is_cancelled(builder->run->cancel) || !zr_builder_reserve_shape(builder, count)) return false;
     for (uint32_t i = 0; i < count; i++)
         geometry->edges[geometry->edge_count++] = w.edges[i].edge;
-    return !w.claims || take_rows(&w, count);
+    return !w.cap_samples || take_rows(&w, count);
 }

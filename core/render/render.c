@@ -85,7 +85,7 @@ static enum zr_status make_lines(const struct zr_run *run, const struct zr_scene
     return zr_mesh_lines_keep(run, shown, frame);
 }
 
-/* A pass that not every frame has. Masks and the lines of a file stay in `arena`; passes that write pixels of the frame
+/* An optional pass of a frame. Masks and the lines of a file stay in `arena`; passes that write pixels of the frame
  * work in `scratch` alone. */
 struct optional_pass {
     bool wanted, stays;

@@ -262,7 +262,7 @@ static void check_see_through(const struct zr_scene *scene, struct zr_error *err
                      "painter keeps no fragments, which the alphaMode MASK or BLEND needs; the other algorithms do");
 }
 
-/* The checks of what most scenes do not have, and when each is needed. */
+/* Checks the optional parts that a scene has. */
 static void check_options(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     const bool is_painter = scene->algorithm == ZR_ALGORITHM_PAINTER;

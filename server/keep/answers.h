@@ -29,10 +29,10 @@ struct sizes;
 struct sizes *sizes_open(void);
 void sizes_close(struct sizes *sizes);
 
-/* Notes the size, and whether the look has no version that may change. `sizes` may be NULL. */
+/* Notes the size, and whether the version of the look is fixed. `sizes` may be NULL. */
 void sizes_note(struct sizes *sizes, const struct zr_file_hash *key, size_t size, bool is_pinned);
 
-/* False: it is not known. `sizes` may be NULL. */
+/* Finds a noted size. False: there is none. `sizes` may be NULL. */
 bool sizes_find(struct sizes *sizes, const struct zr_file_hash *key, size_t *size, bool *is_pinned);
 
 #endif

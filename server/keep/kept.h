@@ -2,8 +2,8 @@
  *
  * Safe:   a client cannot change the value of another client's file. It can only displace values, which are then made
  *         again. Answers are the same with and without kept values.
- * Notes:  hashes of what was seen before, in a table of fixed size; some may be forgotten. A value is kept at the second
- *         sight, so that what comes once displaces nothing.
+ * Notes:  hashes of earlier requests, in a table of fixed size; later hashes may replace them. A value is kept at its
+ *         second request: single requests displace nothing.
  * Bounds: the bytes of all values, in blocks of 4096. The least recently used ones make room for new ones. A value that
  *         a request uses stays, and its bytes count, until that request has ended.
  * Thread: struct kept is thread-safe. One list of held values belongs to one request.

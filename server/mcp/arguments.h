@@ -8,7 +8,7 @@
 #include "faults.h"
 #include "text.h"
 
-/* ROW(ID, whether it draws: it takes the arguments of pictures and tells their views) */
+/* ROW(ID, whether it draws: it then has the arguments of pictures, and its answer lists their views) */
 #define MCP_TOOL_ROWS(ROW)                                                                                             \
     ROW(RENDER, true)                                                                                                  \
     ROW(FACTS, false)                                                                                                  \

@@ -363,7 +363,7 @@ static void answer_image(const struct rendering *r)
     }
 }
 
-/* Lends the request what is kept, and the limits of small requests. */
+/* Gives the request the kept images, texts and meshes, and the limits of a small request. */
 static void lend(struct rendering *r, const struct rendering_kind *kind, struct zr_request *request)
 {
     r->stored = assets_stored(r->work->service);

@@ -14,7 +14,7 @@ char *rendering_begin(struct request *request, size_t room, struct answer *answe
 struct rendering_kind {
     enum body_status (*unpack)(const struct work *work, struct zr_request *render);
     void (*report)(struct answer *answer, enum zr_status status, const struct zr_error *error); /* NULL: as they are */
-    /* is_pinned: the look has no version that may change. NULL: nothing is added. */
+    /* is_pinned: the version of the look is fixed. NULL: nothing is added. */
     void (*finish)(const struct work *work, bool is_pinned);
     bool keeps_meshes;
 };

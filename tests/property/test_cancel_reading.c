@@ -114,7 +114,7 @@ TEST(reading_of_large_arrays_stops)
     free(zeros);
 }
 
-/* 3 GB of zeros; 0.25 GB where a sanitizer writes its notes on them first, which nobody can cancel. */
+/* Clears 3 GB. A sanitizer first marks new memory, which cannot be cancelled: it gets 0.25 GB. */
 TEST(touching_large_memory_stops)
 {
     struct later later;

@@ -10,7 +10,7 @@
 #include "scene/scene.h"
 
 /* The scene whose picture has `side` times the width and the height, lines that are as much wider, and points
- * that are as much larger: its meshes lie in the arena. `picture`: written, the scene's. */
+ * that are as much larger: its meshes lie in the arena. *picture: set to its picture. */
 struct zr_scene average_scene(struct zr_arena *arena, const struct zr_scene *scene, struct zr_picture *picture);
 
 /* `samples` has side x side as many pixels as `out`, which has width x height. */

@@ -215,7 +215,7 @@ TEST(request_that_never_fits_its_memory_gives_422)
 /* More than two a worker, and with the queue that is there unless another is asked for. */
 TEST(crowd_of_small_requests_waits_and_is_served)
 {
-    enum { CROWD = IS_SANITIZED ? CLIENTS_MAX / 4 : CLIENTS_MAX }; /* all begin within a second, or get 503 */
+    enum { CROWD = IS_SANITIZED ? CLIENTS_MAX / 4 : CLIENTS_MAX }; /* a request that would wait for a second gets 503 */
     struct daemon server = daemon_start((const char *const[]){"--workers=1", "--max-per-client=0", NULL});
     for (int round = 0; round < 3; round++) {
         struct post posts[CROWD];

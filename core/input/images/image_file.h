@@ -62,9 +62,8 @@ bool zr_jpeg_looks_so(const void *bytes, size_t size);
 bool zr_jpeg_size_read(const void *bytes, size_t size, uint32_t *width, uint32_t *height);
 
 /* Decodes a baseline or progressive JPEG: grey, RGB or YCbCr, 8 bits; alpha is 255. Refuses files with a libjpeg
- * warning or without an end. Refuses more than its texels_max (zr_image_fits) before it takes
- * memory for them. `scratch` is for libjpeg. ZR_OK, ZR_NO_MEMORY (scratch or arena has failed), ZR_CANCELLED
- * (arena->cancel), or ZR_BAD_SCENE with the reason. */
+ * warning or without an end. Checks the size by zr_image_fits before it takes memory. `scratch` is for libjpeg. Returns
+ * ZR_OK, ZR_NO_MEMORY (scratch or arena has failed), ZR_CANCELLED (arena->cancel), or ZR_BAD_SCENE with the reason. */
 enum zr_status zr_jpeg_read(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_encoded_image *file,
                             struct zr_image *image, struct zr_reason *reason);
 
@@ -74,9 +73,8 @@ enum zr_status zr_jpeg_read(struct zr_arena *arena, struct zr_arena *scratch, co
 bool zr_webp_looks_so(const void *bytes, size_t size);
 
 /* Decodes a lossy or lossless picture with or without alpha. Refuses animations, and files that are broken or cut off.
- * Refuses more than its texels_max (zr_image_fits) before it takes memory for them. `scratch`
- * is charged for libwebp's memory. Returns ZR_OK, ZR_CANCELLED (arena->cancel), ZR_BAD_SCENE with the reason, or
- * ZR_NO_MEMORY if scratch or arena has failed. */
+ * Checks the size by zr_image_fits before it takes memory. `scratch` is charged for libwebp's memory. Returns ZR_OK,
+ * ZR_CANCELLED (arena->cancel), ZR_BAD_SCENE with the reason, or ZR_NO_MEMORY if scratch or arena has failed. */
 enum zr_status zr_webp_read(struct zr_arena *arena, struct zr_arena *scratch, const struct zr_encoded_image *file,
                             struct zr_image *image, struct zr_reason *reason);
 

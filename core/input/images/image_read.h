@@ -12,7 +12,7 @@
 #include "input/images/image_file.h"
 #include "scene/image.h"
 
-/* Decodes an image into the arena. Refuses more than its texels_max. Frees the libraries' memory at the end.
+/* Decodes an image of up to file->texels_max texels into the arena. Frees the libraries' memory at the end.
  * ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED (arena->cancel), or ZR_BAD_SCENE with the reason. */
 enum zr_status zr_image_read(struct zr_arena *arena, const struct zr_encoded_image *file, struct zr_image *image,
                              struct zr_reason *reason);

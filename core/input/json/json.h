@@ -39,7 +39,7 @@ struct zr_json {
     const struct zr_cancel *cancel; /* may be NULL */
     const struct zr_limits *limits;
     struct zr_error *error;
-    struct zr_parsed_assets *assets; /* files/assets.h; NULL: the text is no scene, and names none */
+    struct zr_parsed_assets *assets; /* files/assets.h; NULL: the text is no scene and names no assets */
     struct zr_json_uris *uris;       /* json_uris.h; NULL: long data: URIs are not noted */
     unsigned depth;                  /* open lists and objects around `at` */
     bool ended;    /* reading has ended: the text is malformed or too deep, or the request is cancelled */

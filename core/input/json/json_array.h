@@ -16,7 +16,7 @@
 struct zr_array_wanted {
     size_t rows;        /* 0: any number */
     size_t least, most; /* numbers per row; 1: the shape (n,), or (n, 1) */
-    const char *of;     /* the things that are counted by indices, such as positions; NULL: the numbers are floats */
+    const char *of;     /* elements that the indices number, such as "positions"; NULL: the numbers are floats */
     uint32_t end;       /* of indices; UINT32_MAX: not known yet */
     bool is_color;      /* u1 is 0 to 255 for 0 to 1 */
     bool has_holes;     /* a float may be NaN */

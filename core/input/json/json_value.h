@@ -72,11 +72,13 @@ zr_json_read_fn zr_json_position; /* zr_vec4: three coordinates with w = 1, or f
 zr_json_read_fn zr_json_color;
 zr_json_read_fn zr_json_opaque; /* colour with an alpha of 1 */
 
-/* Reads a list of `least` to `most` numbers, each within low..high. *count: how many it has; NULL if least == most. */
+/* A list of `least` to `most` numbers, each within low..high. */
 struct zr_json_row {
     size_t least, most;
     double low, high;
 };
+
+/* Reads such a list. *count: its length; `count` may be NULL if least == most. */
 bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, struct zr_json_row row, double *out,
                      size_t *count);
 
