@@ -7,12 +7,13 @@
 #define ZR_PARAMETER_ROWS_H
 
 /* ROW(name, pointer, ANY: for all bodies, or MESH: for meshes without a scene, kind, help). Files that
- * expand help include scene/shadings.h. The help of `look` is printed after the names of the looks. */
+ * expand help include scene/encodings.h and scene/shadings.h. The help of `look` is printed after the names of the
+ * looks. */
 #define ZR_PARAMETER_ROWS(ROW)                                                                                         \
     ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
         "outputs instead of the scene's, with commas between them: color, depth, normals or others")                   \
     ROW(encoding, "/outputs/0/encoding", ANY, NAME,                                                                    \
-        "format of the output: png, jpeg, npy or others (default: by channel)")                                        \
+        "format of the output: " ZR_ENCODING_LIST "as the channel allows (default: by channel)")                       \
     ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
     ROW(quality, "/outputs/0/quality", ANY, WHOLE, "quality of a jpeg or webp, 1 to 100 (default: 85)")                \
     ROW(lossless, "/outputs/0/lossless", ANY, BOOL, "exact colours in a webp (default: false)")                        \

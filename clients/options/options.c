@@ -10,6 +10,7 @@
 #include "endings.h"
 #include "parameter_kinds.h"
 #include "parameters.h"
+#include "scene/encodings.h"
 #include "scene/shadings.h"
 #include "words.h"
 

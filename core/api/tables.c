@@ -10,6 +10,7 @@
 #include "output/json/json_print.h"
 #include "parameter_rows.h"
 #include "scene/looks.h"
+#include "scene/encodings.h"
 #include "scene/shadings.h"
 #include "schema/schema.h"
 

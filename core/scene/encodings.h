@@ -51,6 +51,9 @@ enum {
     ROW(ZIP, "zip", "zip", "", "application/zip", "a ZIP archive of several outputs", 0, 0, NONE,                      \
         "archive of one PNG per mask")
 
+#define ZR_ENCODING_LISTED(ID, word, ...) word ", "
+#define ZR_ENCODING_LIST                  ZR_ENCODING_ROWS(ZR_ENCODING_LISTED)
+
 enum zr_encoding {
 #define ZR_ENCODING_ENUM(ID, ...) ZR_ENCODING_##ID,
     ZR_ENCODING_ROWS(ZR_ENCODING_ENUM)

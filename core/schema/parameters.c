@@ -8,6 +8,7 @@
 #include "input/text/number.h"
 #include "parameter_rows.h"
 #include "scene/looks.h"
+#include "scene/encodings.h"
 #include "scene/shadings.h"
 #include "schema/schema.h"
 

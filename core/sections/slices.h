@@ -74,7 +74,7 @@ struct zr_slice_faces {
 
 struct zr_slice_cap {
     uint32_t part;  /* of the mesh */
-    uint32_t plane; /* number of the zr_slice that made it */
+    uint32_t plane; /* number of the zr_slice_plane that made it */
     uint32_t face;  /* of the mesh: one that the cap touches */
 };
 

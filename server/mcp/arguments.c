@@ -63,7 +63,7 @@ static void put_parts(struct mcp_text *text, const struct mcp_host *host)
 static void put_model(struct mcp_text *text, const struct mcp_host *host)
 {
     put_endings(text, false);
-    mcp_text_put(text, host->reads_files ? ") below the server's folder, by its path, bytes or text."
+    mcp_text_put(text, host->reads_files ? ") below the server's folder: give its path, or its bytes or text."
                                          : "): its bytes, its text or an uploaded asset.");
     mcp_text_put(text, "\",\"properties\":{");
     mcp_keys_put(text, mcp_model_sources, host->reads_files ? MCP_OF_FILES : MCP_OF_ASSETS, host);
@@ -87,9 +87,9 @@ bool mcp_model_is_z_up(const char *path, const void *bytes, size_t size)
 #define OBJECT(text)        "{\"type\":\"object\",\"description\":\"" text "\"}"
 
 const struct mcp_key mcp_model_sources[] = {
-    {"base64", MCP_ALL_TOOLS, STRING("The file's bytes in base64."), NULL},
-    {"text", MCP_ALL_TOOLS, STRING("The file's text, if its format is text."), NULL},
     {"path", MCP_OF_FILES, STRING("Path of the file from the server's folder. The path '.' lists its models."), NULL},
+    {"base64", MCP_ALL_TOOLS, STRING("The file's bytes in base64."), NULL},
+    {"text", MCP_ALL_TOOLS, STRING("The text of a file that is text, such as OBJ. Others need base64."), NULL},
     {"asset", MCP_OF_ASSETS, STRING("'sha256:' and the hash of an asset that was uploaded by POST /v1/assets."), NULL},
     {NULL, 0, NULL, NULL}};
 

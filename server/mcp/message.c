@@ -1,5 +1,6 @@
 #include "message.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -154,7 +155,17 @@ static int take(struct mcp_message *message, const char **why)
     return message->params && !cJSON_IsObject(message->params) ? MCP_WRONG_PARAMS : 0;
 }
 
-/* Reads the text. Returns 0, or a code with its words. */
+/* Returns why the text is no JSON, with the place of its fault. */
+static const char *explain(struct mcp_message *message)
+{
+    const bool has_place = message->error->count > 0;
+    snprintf(message->why, sizeof message->why, "the message is not JSON in UTF-8%s%s", has_place ? ": " : "",
+             has_place ? message->error->items[0].detail : "");
+    return message->why;
+}
+
+/* Reads the text. Returns 0, or a code with its words. An id before the fault is kept, so that a client can tell which
+ * of its messages is refused. */
 static int read_text(struct mcp_message *message, struct mcp_span text, const struct mcp_host *host, struct cuts *cuts,
                      const char **why)
 {
@@ -173,8 +184,8 @@ static int read_text(struct mcp_message *message, struct mcp_span text, const st
     zr_json_end(json);
     const enum zr_status status = zr_json_close(json);
     if (status == ZR_OK) return 0;
-    *why = status == ZR_BAD_SCENE ? "the message is nested deeper than 512 levels" : "the message is not JSON in UTF-8";
-    message->id = (struct mcp_span){NULL, NULL};
+    *why = status == ZR_BAD_SCENE ? "the message is nested deeper than 512 levels" : explain(message);
+    if (message->id.at && !is_id(message->id)) message->id = (struct mcp_span){NULL, NULL};
     return MCP_NOT_JSON;
 }
 

@@ -38,6 +38,7 @@ struct mcp_message {
     struct zr_json json;
     struct zr_arena arena;
     struct zr_error *error;
+    char why[ZR_DETAIL_SIZE + 48];
     bool has_nul; /* a string has \u0000, which would end names and paths */
 };
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "parameter_rows.h"
+#include "scene/encodings.h"
 #include "scene/shadings.h"
 
 static const struct {

@@ -21,7 +21,8 @@ static const struct zr_json_rule rules[] = {
     {ZR_RULE_SOME, .text = "neither view nor poses: nothing moves", .sets = {ZR_KEY(VIEW) | ZR_KEY(POSES)}}};
 const struct zr_json_object zr_json_object_flow = {
     ZR_JSON_FIELDS("flow", fields), ZR_JSON_RULES(rules),
-    .schema = ZR_SCHEMA({"properties" : {"view" : {"properties" : {"camera" : false}}}})};
+    .schema =
+        ZR_SCHEMA({"dependentSchemas" : {"view" : {"properties" : {"view" : {"properties" : {"camera" : false}}}}}})};
 
 bool zr_read_flow(struct zr_json *json, const struct zr_json_path *path, void *out)
 {

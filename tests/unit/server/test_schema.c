@@ -120,6 +120,23 @@ static void check_references(const cJSON *root, const cJSON *value)
     }
 }
 
+/* A reader of JSON takes one of two equal keys, and loses the other. */
+static void check_unique(const cJSON *value)
+{
+    for (const cJSON *one = value->child; one; one = one->next) {
+        for (const cJSON *other = one->next; one->string && other; other = other->next)
+            if (strcmp(one->string, other->string) == 0)
+                fail_msg("%s has the key %s twice", value->string, one->string);
+        check_unique(one);
+    }
+}
+
+TEST(no_object_has_a_key_twice)
+{
+    check_unique(schema);
+    check_unique(openapi);
+}
+
 TEST(references_lead_somewhere)
 {
     check_references(schema, schema);
