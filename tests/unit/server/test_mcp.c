@@ -99,11 +99,12 @@ TEST(a_model_comes_as_base64_or_text)
 
 TEST(a_message_that_is_no_json_keeps_its_id)
 {
-    const char *reply = handle("{\"jsonrpc\":\"2.0\",\"id\":7,\"method\":\"tools/call\",\"params\":{\"name\":\"facts\","
-                               "\"arguments\":{\"scene\":{\"meshes\":[{\"name\":\"\\ud800\"}]}}}}");
+    char *reply = handle("{\"jsonrpc\":\"2.0\",\"id\":7,\"method\":\"tools/call\",\"params\":{\"name\":\"facts\","
+                         "\"arguments\":{\"scene\":{\"meshes\":[{\"name\":\"\\ud800\"}]}}}}");
     assert_non_null(strstr(reply, "\"id\":7"));
     assert_non_null(strstr(reply, "-32700"));
     assert_non_null(strstr(reply, "line 1, column 113: expected both halves of a surrogate pair"));
+    free(reply);
 }
 
 TEST(a_cancelled_message_has_no_answer)
