@@ -1,4 +1,4 @@
-/* encode_input.h - api: the parts of a scene and its frame that encoding needs: no meshes, images and materials. */
+/* encode_input.h - api: the parts of a scene and its frame that encoding needs: no meshes, images or materials. */
 #ifndef ZR_API_ENCODE_INPUT_H
 #define ZR_API_ENCODE_INPUT_H
 

@@ -16,7 +16,7 @@ struct zr_cap_samples {
     uint64_t *bits[ZR_SECTION_PLANES_MAX]; /* per plane; NULL: no samples are shared */
 };
 
-/* Makes empty cap_samples. False: the arena has no memory. */
+/* Makes the bits, of which none is set. False: the arena has no memory. */
 bool zr_cap_samples_make(struct zr_arena *arena, const struct zr_scene *scene, uint32_t width, uint32_t height,
                          struct zr_cap_samples *cap_samples);
 

@@ -136,10 +136,7 @@ static int take(struct mcp_message *message, const char **why)
     *why = cJSON_IsArray(root) ? "batches are not served: send one object per message" : "the message is no object";
     if (!cJSON_IsObject(root)) return MCP_NOT_A_REQUEST;
     *why = "id is neither a string nor an integer";
-    if (id && !is_id(message->id)) {
-        message->id = (struct mcp_span){NULL, NULL};
-        return MCP_NOT_A_REQUEST;
-    }
+    if (id && !message->id.at) return MCP_NOT_A_REQUEST;
     *why = "jsonrpc is not \"2.0\"";
     if (!cJSON_IsString(version) || strcmp(version->valuestring, "2.0") != 0) return MCP_NOT_A_REQUEST;
     *why = "method is missing or not a string";
@@ -155,17 +152,18 @@ static int take(struct mcp_message *message, const char **why)
     return message->params && !cJSON_IsObject(message->params) ? MCP_WRONG_PARAMS : 0;
 }
 
+static const char not_json[] = "the message is not JSON in UTF-8";
+
 /* Returns why the text is no JSON, with the place of its fault. */
 static const char *explain(struct mcp_message *message)
 {
-    const bool has_place = message->error->count > 0;
-    snprintf(message->why, sizeof message->why, "the message is not JSON in UTF-8%s%s", has_place ? ": " : "",
-             has_place ? message->error->items[0].detail : "");
+    if (message->error->count == 0) return not_json;
+    snprintf(message->why, sizeof message->why, "%s: %s", not_json, message->error->items[0].detail);
     return message->why;
 }
 
-/* Reads the text. Returns 0, or a code with its words. An id before the fault is kept, so that a client can tell which
- * of its messages is refused. */
+/* Reads the text. Returns 0, or a code with its words. A valid id is kept in both cases: it tells the client which of
+ * its messages is refused. */
 static int read_text(struct mcp_message *message, struct mcp_span text, const struct mcp_host *host, struct cuts *cuts,
                      const char **why)
 {
@@ -183,9 +181,9 @@ static int read_text(struct mcp_message *message, struct mcp_span text, const st
     read_root(message, cuts);
     zr_json_end(json);
     const enum zr_status status = zr_json_close(json);
+    if (message->id.at && !is_id(message->id)) message->id = (struct mcp_span){NULL, NULL};
     if (status == ZR_OK) return 0;
     *why = status == ZR_BAD_SCENE ? "the message is nested deeper than 512 levels" : explain(message);
-    if (message->id.at && !is_id(message->id)) message->id = (struct mcp_span){NULL, NULL};
     return MCP_NOT_JSON;
 }
 
@@ -198,11 +196,10 @@ int mcp_message_read(struct mcp_message *message, struct mcp_span text, const st
     code = MCP_NOT_A_REQUEST;
     message->root = message->has_nul ? NULL : parse_rest(text, &cuts, &code);
     if (message->root) return take(message, why);
-    if (message->id.at && !is_id(message->id)) message->id = (struct mcp_span){NULL, NULL};
     *why = message->has_nul            ? "a text has \\u0000, which is not allowed"
            : code == MCP_NOT_A_REQUEST ? "the message has more than 262144 bytes beside its scene and model"
            : code == MCP_INTERNAL      ? "out of memory"
-                                       : "the message is not JSON in UTF-8";
+                                       : not_json;
     return code;
 }
 

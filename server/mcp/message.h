@@ -28,7 +28,7 @@ struct mcp_message {
     cJSON *root; /* without what is in the spans below */
     const cJSON *params, *arguments, *meta;
     const char *method;
-    struct mcp_span id; /* as written; NULL: a notification, or it could not be read */
+    struct mcp_span id; /* a string or an integer, as written; NULL: none */
     bool is_modern;     /* each request describes itself (2026-07-28); else after `initialize` (2025) */
     const char *name;   /* of the tool; NULL: none is given */
     /* In the text of the message. Of strings: between the quotes, as written. */
@@ -38,8 +38,8 @@ struct mcp_message {
     struct zr_json json;
     struct zr_arena arena;
     struct zr_error *error;
-    char why[ZR_DETAIL_SIZE + 48];
-    bool has_nul; /* a string has \u0000, which would end names and paths */
+    char why[ZR_DETAIL_SIZE + 48]; /* no JSON: a text with the place of the fault */
+    bool has_nul;                  /* a string has \u0000, which would end names and paths */
 };
 
 /* Reads a message, which then stays where it is. Returns 0, or the code of an error, whose words `why` points to; a

@@ -47,7 +47,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     out = zipped;
     out_size = zipped_size;
     if (size > 0)
-        fuzz_expect(gunzip(&arena, NULL, size - 1, &out, &out_size) == GUNZIP_TOO_LARGE, "a limit of one byte less gives GUNZIP_TOO_LARGE");
+        fuzz_expect(gunzip(&arena, NULL, size - 1, &out, &out_size) == GUNZIP_TOO_LARGE,
+                    "a limit of one byte less gives GUNZIP_TOO_LARGE");
     free(zipped);
     zr_arena_reset(&arena, ZR_ARENA_BLOCK);
     return 0;

@@ -240,7 +240,7 @@ class Http(unittest.TestCase):
                 got, answer = self.daemon.post(message, **headers)
                 self.assertEqual((got, answer["error"]["code"]), (status, code), answer)
                 self.assertEqual(answer["jsonrpc"], "2.0")
-                is_read = type(message.get("id")) is int if isinstance(message, dict) else isinstance(message, bytes) and b'"id":1' in message
+                is_read = name == "broken UTF-8" or isinstance(message, dict) and type(message.get("id")) is int
                 self.assertEqual(answer.get("id"), 1 if is_read else None)
         self.assertIn("did you mean render?", self.daemon.ask("tools/call", {"name": "rendr"})[1]["error"]["message"])
         for text in ('{"jsonrpc":"2.0","id":1,"method":"ping\\u0000x"}', '{"method":"tools/call","params":{"name":"facts","arguments":{"model":{"text":"v\\u0000"}}},"jsonrpc":"2.0","id":1}'):

@@ -126,7 +126,7 @@ static void check_unique(const cJSON *value)
     for (const cJSON *one = value->child; one; one = one->next) {
         for (const cJSON *other = one->next; one->string && other; other = other->next)
             if (strcmp(one->string, other->string) == 0)
-                fail_msg("%s has the key %s twice", value->string, one->string);
+                fail_msg("%s has the key %s twice", value->string ? value->string : "the root", one->string);
         check_unique(one);
     }
 }
