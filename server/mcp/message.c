@@ -1,6 +1,5 @@
 #include "message.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -152,18 +151,7 @@ static int take(struct mcp_message *message, const char **why)
     return message->params && !cJSON_IsObject(message->params) ? MCP_WRONG_PARAMS : 0;
 }
 
-static const char not_json[] = "the message is not JSON in UTF-8";
-
-/* Returns why the text is no JSON, with the place of its fault. */
-static const char *explain(struct mcp_message *message)
-{
-    if (message->error->count == 0) return not_json;
-    snprintf(message->why, sizeof message->why, "%s: %s", not_json, message->error->items[0].detail);
-    return message->why;
-}
-
-/* Reads the text. Returns 0, or a code with its words. A valid id is kept in both cases: it tells the client which of
- * its messages is refused. */
+/* Reads the text. Returns 0, or a code with its words. A valid id before a fault is kept. */
 static int read_text(struct mcp_message *message, struct mcp_span text, const struct mcp_host *host, struct cuts *cuts,
                      const char **why)
 {
@@ -183,7 +171,8 @@ static int read_text(struct mcp_message *message, struct mcp_span text, const st
     const enum zr_status status = zr_json_close(json);
     if (message->id.at && !is_id(message->id)) message->id = (struct mcp_span){NULL, NULL};
     if (status == ZR_OK) return 0;
-    *why = status == ZR_BAD_SCENE ? "the message is nested deeper than 512 levels" : explain(message);
+    if (message->error->count == 0) return MCP_INTERNAL;
+    *why = status == ZR_BAD_SCENE ? "the message is nested deeper than 512 levels" : message->error->items[0].detail;
     return MCP_NOT_JSON;
 }
 
@@ -199,7 +188,7 @@ int mcp_message_read(struct mcp_message *message, struct mcp_span text, const st
     *why = message->has_nul            ? "a text has \\u0000, which is not allowed"
            : code == MCP_NOT_A_REQUEST ? "the message has more than 262144 bytes beside its scene and model"
            : code == MCP_INTERNAL      ? "out of memory"
-                                       : not_json;
+                                       : "the message is not JSON in UTF-8";
     return code;
 }
 

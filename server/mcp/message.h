@@ -38,8 +38,7 @@ struct mcp_message {
     struct zr_json json;
     struct zr_arena arena;
     struct zr_error *error;
-    char why[ZR_DETAIL_SIZE + 48]; /* no JSON: a text with the place of the fault */
-    bool has_nul;                  /* a string has \u0000, which would end names and paths */
+    bool has_nul; /* a string has \u0000, which would end names and paths */
 };
 
 /* Reads a message, which then stays where it is. Returns 0, or the code of an error, whose words `why` points to; a
