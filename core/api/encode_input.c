@@ -41,6 +41,13 @@ static void keep_parts(struct zr_arena *arena, struct zr_part_list *list)
     list->at = parts;
 }
 
+/* Copies the names of the fragments' parts; the fragments stay in place. */
+static void keep_fragments(struct zr_arena *arena, struct zr_pixel_fragments *fragments)
+{
+    for (uint32_t i = 0; i < fragments->count; i++)
+        fragments->at[i].part = copy_text(arena, fragments->at[i].part);
+}
+
 static void keep_outputs(struct zr_arena *arena, const struct zr_view *from, struct zr_view *view)
 {
     *view = *from;
@@ -68,6 +75,7 @@ struct zr_encode_input *zr_encode_input_make(struct zr_arena *arena, const struc
     made->frame = *frame;
     made->frame.view = &made->scene.views[0];
     keep_parts(arena, &made->frame.parts.list);
+    keep_fragments(arena, &made->frame.fragments);
     if (frame->base) {
         made->base.first_face_id = frame->base->first_face_id;
         made->base.clamped_depths = frame->base->clamped_depths;

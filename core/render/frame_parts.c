@@ -56,18 +56,20 @@ static uint64_t part_of_cap(const struct zr_sections_cut *sections, const struct
     return owners[cap->instance].first_part + cap->part;
 }
 
-const uint64_t *zr_frame_parts_of_ids(struct zr_arena *arena, const struct zr_scene *scene,
-                                      const struct zr_frame *frame, const uint32_t *ids, uint32_t count)
+enum zr_status zr_fragment_parts_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
-    uint64_t *parts = zr_arena_alloc(arena, count, sizeof *parts);
-    const struct owner *owners = list_owners(arena, scene);
-    for (uint32_t i = 0; parts && owners && i < count; i++) {
-        const uint32_t number = ids[i] - 1, instance = instance_of(owners, scene->instance_count, number);
-        parts[i] = instance < scene->instance_count
-                       ? part_of(&scene->meshes[scene->instances[instance].mesh], &owners[instance], number)
-                       : part_of_cap(frame->sections, owners, number);
+    const struct zr_part_list list =
+        frame->parts.list.count > 0 ? frame->parts.list : zr_part_list_make(run->arena, scene, ZR_FRAME_PARTS_MAX);
+    const struct owner *owners = list_owners(run->scratch, scene);
+    for (uint32_t i = 0; owners && i < frame->fragments.count; i++) {
+        struct zr_pixel_fragment *fragment = &frame->fragments.at[i];
+        const uint32_t number = fragment->face_id - 1, instance = instance_of(owners, scene->instance_count, number);
+        const uint64_t part = instance < scene->instance_count
+                                  ? part_of(&scene->meshes[scene->instances[instance].mesh], &owners[instance], number)
+                                  : part_of_cap(frame->sections, owners, number);
+        fragment->part = part < list.count ? list.at[part].name : NULL;
     }
-    return owners ? parts : NULL;
+    return owners && zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 /* Returns false if cancelled. */

@@ -22,8 +22,8 @@ enum zr_status zr_known_parts_make(const struct zr_run *run, const struct zr_sce
  * is one. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_frame_parts_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame);
 
-/* Returns the number of the part that has each face id, from 0; UINT64_MAX: none has it. NULL without memory. */
-const uint64_t *zr_frame_parts_of_ids(struct zr_arena *arena, const struct zr_scene *scene,
-                                      const struct zr_frame *frame, const uint32_t *ids, uint32_t count);
+/* Names the parts of frame->fragments, after zr_frame_parts_find if that runs. Names lie in `arena` or belong to the
+ * scene. Fails with ZR_NO_MEMORY. */
+enum zr_status zr_fragment_parts_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame);
 
 #endif

@@ -176,6 +176,7 @@ static enum zr_status run_pipeline(const struct zr_run *run, const struct zr_sce
           : resolved->lens  ? draw_through_lens(run, scene, resolved, frame)
                             : draw(run, scene, resolved, frame));
     if (status == ZR_OK && zr_view_wants(frame->view, ZR_CHANNEL_INFO)) STAGE(zr_frame_parts_find(run, scene, frame));
+    if (frame->fragments.count > 0) STAGE(zr_fragment_parts_find(run, scene, frame));
     return status;
 }
 

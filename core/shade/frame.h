@@ -22,6 +22,7 @@ struct zr_pixel_fragment {
     uint32_t instance; /* number, from 0 */
     enum zr_alpha_mode alpha_mode;
     int front_facing; /* as in the channel */
+    const char *part; /* its name; NULL: none of the listed parts has it */
     bool is_shown;    /* contributes to the pixel's colour: neither masked nor hidden by an opaque surface */
 };
 
@@ -29,7 +30,7 @@ struct zr_pixel_fragment {
 struct zr_pixel_fragments {
     uint32_t x, y; /* the pixel */
     uint32_t count;
-    const struct zr_pixel_fragment *at;
+    struct zr_pixel_fragment *at;
 };
 
 /* The parts of the scene, for the channel info. */

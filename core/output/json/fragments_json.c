@@ -1,31 +1,12 @@
 #include "output/json/fragments_json.h"
 
 #include "output/json/json_print.h"
-#include "render/frame_parts.h"
 
 static const char *const alpha_modes[] = {
     [ZR_ALPHA_OPAQUE] = "OPAQUE", [ZR_ALPHA_MASK] = "MASK", [ZR_ALPHA_BLEND] = "BLEND"};
 
-/* Names of the parts of fragments. */
-struct names {
-    struct zr_part_list list;
-    const uint64_t *parts; /* per fragment */
-};
-
-static struct names find_names(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
-                               uint32_t count)
-{
-    uint32_t *ids = zr_arena_alloc(arena, count, sizeof *ids);
-    if (!ids) return (struct names){.parts = NULL};
-    for (uint32_t i = 0; i < count; i++)
-        ids[i] = frame->fragments.at[i].face_id;
-    return (struct names){frame->parts.list.count > 0 ? frame->parts.list
-                                                      : zr_part_list_make(arena, scene, ZR_FRAME_PARTS_MAX),
-                          zr_frame_parts_of_ids(arena, scene, frame, ids, count)};
-}
-
 static void print_fragment(struct zr_print *print, const struct zr_scene *scene,
-                           const struct zr_pixel_fragment *fragment, const struct zr_part *part)
+                           const struct zr_pixel_fragment *fragment)
 {
     const struct zr_instance *instance = &scene->instances[fragment->instance];
     zr_print_begin(print, NULL, '{');
@@ -34,7 +15,7 @@ static void print_fragment(struct zr_print *print, const struct zr_scene *scene,
     zr_print_count(print, "instanceId", UINT64_C(1) + fragment->instance);
     zr_print_string(print, "mesh", scene->meshes[instance->mesh].name);
     if (instance->node) zr_print_string(print, "node", instance->node);
-    if (part) zr_print_string(print, "part", part->name);
+    if (fragment->part) zr_print_string(print, "part", fragment->part);
     zr_print_floats(print, "position", fragment->position, 3);
     zr_print_count(print, "frontFacing", (uint64_t)fragment->front_facing);
     zr_print_string(print, "alphaMode", alpha_modes[fragment->alpha_mode]);
@@ -47,18 +28,14 @@ enum zr_status zr_fragments_json_write(const struct zr_scene *scene, const struc
 {
     const struct zr_pixel_fragments *fragments = &frame->fragments;
     const uint32_t listed = fragments->count < ZR_FRAGMENTS_LISTED_MAX ? fragments->count : ZR_FRAGMENTS_LISTED_MAX;
-    const struct names names = find_names(out->arena, scene, frame, listed);
     struct zr_print print = {.out = out};
-    if (!names.parts) return ZR_NO_MEMORY;
     zr_print_begin(&print, NULL, '{');
     zr_print_count(&print, "x", fragments->x);
     zr_print_count(&print, "y", fragments->y);
     zr_print_count(&print, "count", fragments->count);
     zr_print_begin(&print, "fragments", '[');
-    for (uint32_t i = 0; i < listed; i++) {
-        const bool is_named = names.parts[i] < names.list.count;
-        print_fragment(&print, scene, &fragments->at[i], is_named ? &names.list.at[names.parts[i]] : NULL);
-    }
+    for (uint32_t i = 0; i < listed; i++)
+        print_fragment(&print, scene, &fragments->at[i]);
     zr_print_end(&print, ']');
     zr_print_end(&print, '}');
     return zr_buffer_add(out, "\n", 1) && zr_arena_ok(out->arena) ? ZR_OK : ZR_NO_MEMORY;
