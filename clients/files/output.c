@@ -25,9 +25,10 @@ struct format {
 static const struct format FORMATS[] = {ZR_ENCODING_ROWS(FORMAT)};
 enum { FORMAT_COUNT = sizeof FORMATS / sizeof *FORMATS };
 
-/* Endings of formats that are never written. Other endings, such as .part, name no format. */
-static const char *const FOREIGN[] = {"gif", "bmp", "ppm", "pgm",  "exr", "hdr",
-                                      "pdf", "npz", "gz",  "html", "txt", "csv"};
+/* Endings of well-known formats that are never written: a word with one of them is the name of an output. */
+static const char *const PICTURES[] = {"gif", "bmp", "ppm", "pgm", "exr",  "hdr", "tga", "jp2", "jxl",  "avif",
+                                       "ico", "pdf", "npz", "gz",  "svgz", "eps", "ps",  "txt", "html", "csv"},
+                         *const VIDEOS[] = {"mp4", "webm", "mov", "mkv", "avi", "m4v", "ogv"};
 
 static const struct format *format_of(const char *type)
 {
@@ -70,18 +71,31 @@ static bool is_ending(const char *given, const struct format *format)
     return strcasecmp(given, format->ending) == 0 || (*given && strcasecmp(given, format->spelling) == 0);
 }
 
+static bool is_video(const char *ending)
+{
+    for (size_t i = 0; i < sizeof VIDEOS / sizeof *VIDEOS; i++)
+        if (strcasecmp(ending, VIDEOS[i]) == 0) return true;
+    return false;
+}
+
 static bool is_foreign(const char *ending)
 {
-    for (size_t i = 0; i < sizeof FOREIGN / sizeof *FOREIGN; i++)
-        if (strcasecmp(ending, FOREIGN[i]) == 0) return true;
+    for (size_t i = 0; i < sizeof PICTURES / sizeof *PICTURES; i++)
+        if (strcasecmp(ending, PICTURES[i]) == 0) return true;
+    return is_video(ending);
+}
+
+static bool is_written(const char *ending)
+{
+    for (size_t i = 0; i < FORMAT_COUNT; i++)
+        if (is_ending(ending, &FORMATS[i])) return true;
     return false;
 }
 
 bool output_is_name(const char *name)
 {
     const char *ending = ending_of(name);
-    for (size_t i = 0; i < FORMAT_COUNT; i++)
-        if (is_ending(ending, &FORMATS[i]) && !input_has_ending(name)) return true;
+    if (is_written(ending) && !input_has_ending(name)) return true;
     return strcmp(name, "-") == 0 || is_foreign(ending) || output_is_folder(name);
 }
 
@@ -139,9 +153,7 @@ static bool says_another_format(const char *out, const struct format *format)
     const char *ending = ending_of(out);
     if (is_ending(ending, format)) return false;
     if (strcmp(format->ending, "apng") == 0 && strcasecmp(ending, "png") == 0) return false;
-    for (size_t i = 0; i < FORMAT_COUNT; i++)
-        if (is_ending(ending, &FORMATS[i])) return true;
-    return is_foreign(ending) || input_has_ending(out);
+    return is_written(ending) || is_foreign(ending) || input_has_ending(out);
 }
 
 struct target output_target(const char *file, const char *out)
@@ -199,14 +211,33 @@ static bool check_folder(const char *path, size_t length, struct bytes *faults)
     return ok;
 }
 
+/* Refuses an ending of no format: a file of another format under that name would be a surprise. */
+static bool check_ending(const char *out, struct bytes *faults)
+{
+    const char *ending = ending_of(out);
+    const int stem = (int)(dot_of(out) - out);
+    struct near_word near = {.word = ending};
+    if (!*ending || is_written(ending) || input_has_ending(out)) return true;
+    for (size_t i = 0; i < FORMAT_COUNT; i++)
+        near_offer(&near, FORMATS[i].ending);
+    if (is_video(ending))
+        bytes_print(faults,
+                    "-o %s: zraster writes no .%s; --turntable 36 -o %.*s.webp saves a moving picture, and --turntable 36 "
+                    "-o frames/ saves frames for a video: ffmpeg -framerate 12 -pattern_type glob -i 'frames/*.png' "
+                    "-pix_fmt yuv420p %s",
+                    out, ending, stem, out, out);
+    else
+        bytes_print(faults, "-o %s: zraster writes no .%s; -o %.*s.%s saves a picture", out, ending, stem, out,
+                    near.best && !is_foreign(ending) ? near.best : "png");
+    return false;
+}
+
 int output_check(const struct target *target, struct bytes *faults)
 {
     const char *out = target->out ? target->out : target->folder;
     const char *slash = strrchr(out, '/');
-    if (target->out && is_foreign(ending_of(out)))
-        bytes_print(faults, "-o %s: zraster writes no .%s; -o %.*s.png saves a picture", out, ending_of(out),
-                    (int)(dot_of(out) - out), out);
-    else if (slash && slash > out && !check_folder(out, (size_t)(slash - out), faults))
+    if (target->out && !check_ending(out, faults)) return STATUS_USAGE;
+    if (slash && slash > out && !check_folder(out, (size_t)(slash - out), faults))
         return STATUS_USAGE;
     else if (!target->out || !is_input(target, out, faults))
         return STATUS_DONE;

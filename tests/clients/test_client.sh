@@ -129,8 +129,8 @@ check "an array is not saved as a picture" 2 "$client" render scene.json --chann
 verdict "and the message names the ending and the encoding of a picture" grep -q -e '-o depth.npy saves it; depth has a PNG, too: --encoding png16' complained
 check "a PNG is not saved as a GIF" 2 "$client" render scene.json -o v1.2/a.gif
 verdict "and a folder's dot is no ending" grep -q -e '-o v1.2/a.png saves a picture' complained
-check "an unknown ending accepts any format" 0 "$client" render two.json -o two.part
-check "so does a name without an ending" 0 "$client" render scene.json -o ./none
+check "an unknown ending is refused" 2 "$client" render two.json -o two.part
+check "a name without an ending accepts any format" 0 "$client" render scene.json -o ./none
 
 # standard input and output
 "$client" render - --type=obj --size=20x10 <"$work/mesh.obj" >said 2>complained
