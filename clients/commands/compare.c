@@ -18,7 +18,7 @@ static bool read_picture(const char *path, struct pixels *pixels)
     struct bytes bytes = {NULL, 0, 0}, faults = {NULL, 0, 0};
     bool ok = bytes_read(&bytes, path);
     if (!ok)
-        bytes_print(&faults, "%s", strerror(errno));
+        bytes_explain(&faults);
     else
         ok = pixels_read(pixels, bytes_text(&bytes), bytes.size, &faults);
     if (!ok) report_faults(stderr, path, &faults);

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,6 +10,8 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "engine/interruption.h"
 
 enum { HUGE_PAGE = 2 << 20 };
 
@@ -69,26 +72,83 @@ void bytes_free(struct bytes *bytes)
     *bytes = (struct bytes){NULL, 0, 0};
 }
 
+static unsigned long long most_bytes = 1ULL << 33;
+
+void bytes_set_most(unsigned long long most)
+{
+    most_bytes = most;
+}
+
+/* Waits until a pipe has bytes or is closed. Returns false once a signal was caught. */
+static bool await_bytes(int descriptor)
+{
+    enum { PATIENCE_MS = 50 };
+    struct pollfd one = {.fd = descriptor, .events = POLLIN};
+    while (!interrupted())
+        if (poll(&one, 1, PATIENCE_MS) > 0) return true;
+    errno = EINTR;
+    return false;
+}
+
+/* Checks that a descriptor has an end. Terminals have one that people give. */
+static bool check_kind(int descriptor, const struct stat *status)
+{
+    if (!S_ISBLK(status->st_mode) && (!S_ISCHR(status->st_mode) || isatty(descriptor))) return true;
+    errno = ENODEV;
+    return false;
+}
+
+/* Reads to the end. */
+static bool read_all(int descriptor, bool is_file, struct bytes *bytes)
+{
+    enum { STEP = 1 << 24 }; /* bytes between checks for a signal */
+    for (;;) {
+        if (bytes->size == bytes->room && !reserve(bytes, 65536)) return false;
+        if (!(is_file ? !interrupted() : await_bytes(descriptor))) {
+            errno = EINTR;
+            return false;
+        }
+        const size_t room = bytes->room - bytes->size;
+        const ssize_t some = read(descriptor, bytes->data + bytes->size, room < STEP ? room : STEP);
+        if (some < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+        if (some <= 0) return some == 0;
+        bytes->size += (size_t)some;
+        if (bytes->size > most_bytes) {
+            errno = EFBIG;
+            return false;
+        }
+    }
+}
+
 bool bytes_read(struct bytes *bytes, const char *path)
 {
     struct stat status;
     const bool is_pipe = strcmp(path, "-") == 0;
-    const int descriptor = is_pipe ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    const int descriptor = is_pipe ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) return false;
-    const bool has_size = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
-    bool ok = reserve(bytes, has_size ? (size_t)status.st_size + 1 : 1);
-    for (ssize_t some = 1; ok && some != 0;) {
-        if (bytes->size == bytes->room) ok = reserve(bytes, 65536);
-        some = ok ? read(descriptor, bytes->data + bytes->size, bytes->room - bytes->size) : 0;
-        ok = ok && some >= 0;
-        if (some > 0) bytes->size += (size_t)some;
+    bool ok = fstat(descriptor, &status) == 0 && check_kind(descriptor, &status);
+    const bool is_file = ok && S_ISREG(status.st_mode);
+    if (ok && is_file && (unsigned long long)status.st_size > most_bytes) {
+        errno = EFBIG;
+        ok = false;
     }
-    ok = ok && reserve(bytes, 1);
+    ok = ok && reserve(bytes, is_file ? (size_t)status.st_size + 1 : 1) && read_all(descriptor, is_file, bytes) &&
+         reserve(bytes, 1);
     if (ok) bytes->data[bytes->size] = '\0'; /* ends the text */
     const int why = errno;
     if (!is_pipe) close(descriptor);
     errno = why;
     return ok;
+}
+
+void bytes_explain(struct bytes *faults)
+{
+    if (errno == EFBIG)
+        bytes_print(faults, "it has more than %llu bytes; --max-file-bytes allows more", most_bytes);
+    else if (errno == ENODEV)
+        bytes_print(faults, "it is a device, which has no end");
+    else
+        bytes_print(faults, "%s", strerror(errno));
 }
 
 bool bytes_same_file(const char *a, const char *b)

@@ -18,9 +18,16 @@ const char *bytes_text(const struct bytes *bytes);
 
 void bytes_free(struct bytes *bytes);
 
-/* Reads a file; "-": standard input. A zero follows the bytes. Returns false with errno on failure, which is
- * EINTR if a signal was caught during a wait for a pipe. */
+/* Sets how many bytes of a file or of standard input bytes_read takes; 8 GiB before. */
+void bytes_set_most(unsigned long long most);
+
+/* Reads a file; "-": standard input. A zero follows the bytes. Waits for a pipe until it ends or a signal is caught
+ * (engine/interruption.h). Returns false with errno on failure: EINTR after a signal, EFBIG for too many bytes, ENODEV
+ * for a device that is no terminal. */
 bool bytes_read(struct bytes *bytes, const char *path);
+
+/* Adds the reason why bytes_read failed, by errno. */
+void bytes_explain(struct bytes *faults);
 
 /* Returns true if both paths are one regular file. For `a`, "-" is standard input. */
 bool bytes_same_file(const char *a, const char *b);

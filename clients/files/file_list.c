@@ -81,6 +81,13 @@ static bool is_folder(const struct dirent *entry, const char *path, struct stat 
     return lstat(path, about) == 0 && S_ISDIR(about->st_mode);
 }
 
+/* Returns true for a file or a link to one. Pipes and devices in a folder are no inputs. */
+static bool is_regular(const struct dirent *entry, const char *path)
+{
+    struct stat about;
+    return entry->d_type == DT_REG || (stat(path, &about) == 0 && S_ISREG(about.st_mode));
+}
+
 /* Adds the files below a folder. The first `above` characters of their paths are the folder of the argument. */
 static int add_folder(struct file_list *list, const char *folder, size_t above)
 {
@@ -95,7 +102,7 @@ static int add_folder(struct file_list *list, const char *folder, size_t above)
             status = no_memory();
         else if (is_folder(entries[i], path, &about)) {
             if (!is_output_folder(list, &about)) status = add_folder(list, path, above);
-        } else if (input_has_ending(path) && !add(list, path, strlen(path) - above))
+        } else if (input_has_ending(path) && is_regular(entries[i], path) && !add(list, path, strlen(path) - above))
             status = no_memory();
         free(path);
         free(entries[i]);

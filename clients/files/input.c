@@ -122,7 +122,8 @@ static bool read_parts(struct input *input, const struct options *options, struc
         part->name = strndup(options->parts[i], (size_t)(equals - options->parts[i]));
         input->part_count = i + 1;
         if (part->name && bytes_read(&part->bytes, equals + 1)) continue;
-        bytes_print(faults, "--part %s: %s", options->parts[i], strerror(errno));
+        bytes_print(faults, "--part %s: ", options->parts[i]);
+        bytes_explain(faults);
         return false;
     }
     return true;
@@ -141,7 +142,7 @@ bool input_read(struct input *input, const char *path, const struct options *opt
     if (input->is_scene && refuse_parameters(options, faults)) return false;
     input->is_usage = false;
     if (!bytes_read(&input->body, path)) {
-        bytes_print(faults, "%s", strerror(errno));
+        bytes_explain(faults);
         return false;
     }
     if (!input->is_known && refuse_foreign(path, faults)) return false;

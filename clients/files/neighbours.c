@@ -156,7 +156,7 @@ static void add_file(struct search *search, const char *path, const char *name)
     const char *as = strlen(relative) > SERVER_NAME_MAX ? last_part(relative) : relative;
     if (real && !is_below(search, real)) {
         note(&search->outside, search->first_outside, name);
-    } else if (real && !find_part(input, as) && stat(real, &status) == 0) {
+    } else if (real && !find_part(input, as) && stat(real, &status) == 0 && S_ISREG(status.st_mode)) {
         const bool fits = search->bytes + (unsigned long long)status.st_size <= bytes_max;
         struct input_part *part = fits && input->part_count < INPUT_PARTS_MAX ? &input->parts[input->part_count] : NULL;
         if (!part)

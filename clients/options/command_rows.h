@@ -55,6 +55,7 @@
     ROW(TOKEN_FILE, "token-file", 0, "FILE", DRAWING_COMMANDS,                                                         \
         "file whose first line is the server's token (default: $ZRASTER_TOKEN)")                                       \
     ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS "m", "number of threads (default: all processors)")             \
+    ROW(MAX_FILE_BYTES, "max-file-bytes", 0, "N", DRAWING_COMMANDS, "largest input that is read (default: 8 GiB)")     \
     ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS, "no warnings")                                                    \
     ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "line per output: name, size, look and times")                \
     ROW(PLAIN, "plain", 0, NULL, "rbwvst", "no progress on a terminal (also with the variable NO_COLOR)")              \

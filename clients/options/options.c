@@ -8,6 +8,7 @@
 #include <strings.h>
 
 #include "endings.h"
+#include "files/bytes.h"
 #include "parameter_kinds.h"
 #include "parameters.h"
 #include "scene/encodings.h"
@@ -265,10 +266,13 @@ static int check_shard(const struct options *options)
 static int check_values(struct options *options)
 {
     const char *strict = options->parameters[PARAMETER_strict], *threads = options->own[OPTION_THREADS];
-    const char *server = options->own[OPTION_SERVER];
+    const char *server = options->own[OPTION_SERVER], *most = options->own[OPTION_MAX_FILE_BYTES];
     if (strict && !is_truth(strict)) return options_wrong("--strict accepts true, false or nothing, not %s", strict);
     if (threads && (threads[count_digits(threads)] || atoi(threads) < 1 || atoi(threads) > THREADS_MAX))
         return options_wrong("--threads accepts a number from 1 to %d, not %s", THREADS_MAX, threads);
+    if (most && (most[count_digits(most)] || !*most || strlen(most) > 18))
+        return options_wrong("--max-file-bytes accepts a number of bytes, not %s", most);
+    if (most) bytes_set_most(strtoull(most, NULL, 10));
     if (!server && getenv("ZRASTER_SERVER") && *getenv("ZRASTER_SERVER"))
         options->own[OPTION_SERVER] = getenv("ZRASTER_SERVER");
     int wrong = check_channels(options);

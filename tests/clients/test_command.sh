@@ -239,6 +239,21 @@ check "outputs within the folder" 0 "$zraster" batch inner -o inner/out -c info,
 check "are not drawn" 0 "$zraster" batch inner -o inner/out -c info,color --json
 verdict "by the next batch" [ "$(wc -l <"$said")" = 1 ]
 
+# What has no end is refused, or read until a signal.
+mkdir pipes && mkfifo pipes/pipe.obj && ln -s pipe.obj pipes/link.obj && triangle >pipes/part.stl
+check "a folder's pipes are no files" 0 timeout 20 "$zraster" batch pipes -o piped -s 8 --json
+verdict "its other files are drawn" [ "$(wc -l <"$said")" = 1 ]
+check "a device is refused" 1 timeout 20 "$zraster" /dev/zero -o x.png
+verdict "with the reason" grep -q "it is a device, which has no end" "$complained"
+yes | timeout 20 "$zraster" - --max-file-bytes 100000 -o x.png >"$said" 2>"$complained"
+verdict "standard input ends at --max-file-bytes" grep -q "more than 100000 bytes; --max-file-bytes allows more" "$complained"
+"$zraster" pipes/pipe.obj -o x.png >"$said" 2>"$complained" &
+waiting=$!
+sleep 0.3
+kill $waiting
+wait $waiting
+verdict "one signal ends the wait for a pipe" [ $? = 130 ]
+
 # A killed and resumed batch draws each file once, and leaves no other file.
 check "all files, for comparison" 0 "$zraster" batch many -o whole -c color,depth -s 400 -j 1
 killed=0 try=1
