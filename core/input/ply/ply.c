@@ -28,6 +28,13 @@ static bool check_properties(struct zr_ply_file *file, const struct zr_ply_plan 
                         [ZR_PLY_EDGE] = plan->slots[ZR_PLY_VERTEX1] != NULL,
                         [ZR_PLY_OTHER] = true};
     if (has[plan->kind] || (plan->element->count == 0 && plan->kind != ZR_PLY_VERTEX)) return true;
+    if (zr_ply_find(plan->element, "packed_position")) {
+        zr_error_add(
+            file->error, ZR_BAD_SCENE, NULL,
+            "compressed splats (packed_position) are not read in this version; splats exported without compression "
+            "have x, y and z, which are");
+        return false;
+    }
     zr_error_add(file->error, ZR_BAD_SCENE, NULL, "element %s has no %s %s", zr_ply_printable(plan->element->name).text,
                  plan->kind == ZR_PLY_FACE || plan->kind == ZR_PLY_STRIPS ? "list" : "properties", missing[plan->kind]);
     return false;

@@ -140,6 +140,9 @@ struct zr_ply_plan {
     enum zr_ply_kind kind;
     const struct zr_ply_element *element;
     const struct zr_ply_property *slots[ZR_PLY_SLOTS];
+    bool is_splat;                         /* red, green and blue are coefficients of a Gaussian splat's mean colour */
+    bool is_packed;                        /* red, green and blue are one property, 0xRRGGBB, as an integer or its bits
+                                              as a float */
     const struct zr_ply_property *indices; /* the list of vertices */
 };
 

@@ -1,5 +1,6 @@
 /* Makes the mesh of a PLY file: fills holes, limits colours, makes points and adds the warnings. */
 #include <math.h>
+#include <string.h>
 
 #include "input/ply/ply_file.h"
 #include "input/text/text.h"
@@ -37,16 +38,49 @@ static bool is_hole(const struct zr_ply_file *file, size_t vertex)
     return isnan(file->positions[vertex].x);
 }
 
-/* Reports the first hole among vertices that are drawn. */
-static bool check_holes(const struct zr_ply_file *file, const uint32_t *indices, size_t count, const char *what)
+static bool has_hole(const struct zr_ply_file *file, const uint32_t *indices, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (looks_cancelled(file, i)) return false;
-        if (!is_hole(file, indices[i])) continue;
-        zr_error_add(file->error, ZR_BAD_SCENE, NULL, "vertex %u is not finite, and %s uses it", indices[i], what);
-        return false;
+    for (size_t i = 0; i < count; i++)
+        if (is_hole(file, indices[i])) return true;
+    return false;
+}
+
+/* Leaves out faces with a hole as a corner. Returns their number. */
+static size_t drop_faces(struct zr_ply_file *file)
+{
+    struct zr_ply_faces *faces = &file->faces;
+    size_t kept = 0, corners = 0;
+    for (size_t i = 0; i < faces->count && !looks_cancelled(file, i); i++) {
+        const size_t first = faces->offsets ? faces->offsets[i] : 3 * i;
+        const size_t count = faces->offsets ? faces->offsets[i + 1] - first : 3;
+        if (has_hole(file, faces->indices + first, count)) continue;
+        memmove(faces->indices + corners, faces->indices + first, count * sizeof *faces->indices);
+        if (faces->colors) faces->colors[kept] = faces->colors[i];
+        if (faces->offsets) faces->offsets[kept] = (uint32_t)corners;
+        corners += count;
+        kept++;
     }
-    return true;
+    const size_t dropped = faces->count - kept;
+    if (faces->offsets) faces->offsets[kept] = (uint32_t)corners;
+    faces->count = kept;
+    faces->corner_count = corners;
+    return dropped;
+}
+
+/* Leaves out lines that begin or end at a hole. Returns their number. */
+static size_t drop_lines(struct zr_ply_file *file)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < file->line_count && !looks_cancelled(file, i); i++) {
+        const uint32_t *line = file->lines + 2 * i;
+        if (has_hole(file, line, 2)) continue;
+        file->lines[2 * kept] = line[0];
+        file->lines[2 * kept + 1] = line[1];
+        kept++;
+    }
+    const size_t dropped = file->line_count - kept;
+    file->line_count = kept;
+    return dropped;
 }
 
 /* Warns of the holes and sets them to the origin; nothing uses them. */
@@ -60,6 +94,15 @@ static void fill_holes(struct zr_ply_file *file, struct zr_scene_builder *builde
     }
     warn_of_first(builder, count, "vertex is not finite and is left out", "vertices are not finite and are left out",
                   "vertex", first);
+}
+
+/* Leaves out what is drawn at holes. */
+static void drop_holes(struct zr_ply_file *file, struct zr_scene_builder *builder)
+{
+    warn(builder, drop_faces(file), "face at a vertex that is not finite is left out",
+         "faces at vertices that are not finite are left out");
+    warn(builder, drop_lines(file), "line at a vertex that is not finite is left out",
+         "lines at vertices that are not finite are left out");
 }
 
 /* ---- points ---- */
@@ -103,6 +146,23 @@ static void mend_colors(const struct zr_ply_file *file, zr_vec4 *colors, size_t 
     odd->is_bright |= is_bright;
 }
 
+/* Takes colours of type ushort as 0 to 255 if none is above: programs widen the type and keep the values. */
+static bool brighten(const struct zr_ply_file *file, zr_vec4 *colors, size_t count)
+{
+    const float most = 255.0f / 65535.0f;
+    bool has_color = false;
+    for (size_t i = 0; i < count && !looks_cancelled(file, i); i++) {
+        if (colors[i].x > most || colors[i].y > most || colors[i].z > most) return false;
+        has_color |= colors[i].x > 1.0f / 65535.0f || colors[i].y > 1.0f / 65535.0f || colors[i].z > 1.0f / 65535.0f;
+    }
+    for (size_t i = 0; has_color && i < count && !looks_cancelled(file, i); i++)
+        for (int k = 0; k < 4; k++) {
+            float *value = (float *)&colors[i] + k;
+            if (k < 3 || *value <= most) *value = roundf(*value * 65535.0f) / 255.0f;
+        }
+    return has_color;
+}
+
 /* Sets alpha to 1 if it is 0 everywhere, as some programs write opaque colours. */
 static void mend_alpha(struct zr_scene_builder *builder, zr_vec4 *colors, size_t count)
 {
@@ -115,29 +175,35 @@ static void mend_alpha(struct zr_scene_builder *builder, zr_vec4 *colors, size_t
     zr_warning_list_add(builder->arena, &builder->color_warnings, "PLY: alpha is 0 everywhere: drawn opaque");
 }
 
-static bool has_float_colors(const struct zr_ply_file *file, enum zr_ply_kind kind)
+/* Returns the value that is a colour of 1; 0: elements of this kind have no colours of numbers. */
+static double color_scale(const struct zr_ply_file *file, enum zr_ply_kind kind)
 {
     for (size_t i = 0; i < file->header.element_count; i++) {
         const struct zr_ply_plan plan = zr_ply_plan_of(&file->header.elements[i]);
-        if (plan.kind == kind && plan.slots[ZR_PLY_RED]) return zr_ply_color_scale(plan.slots[ZR_PLY_RED]->type) == 1.0;
+        if (plan.kind == kind && plan.slots[ZR_PLY_RED] && !plan.is_packed && !plan.is_splat)
+            return zr_ply_color_scale(plan.slots[ZR_PLY_RED]->type);
     }
-    return false;
+    return 0.0;
 }
 
 static void finish_colors(struct zr_ply_file *file, struct zr_scene_builder *builder)
 {
     struct odd_colors odd = {.clamped = 0};
     struct zr_ply_faces *faces = &file->faces;
+    const double of_vertices = color_scale(file, ZR_PLY_VERTEX), of_faces = color_scale(file, ZR_PLY_FACE);
     if (file->colors && faces->colors && faces->count > 0) {
         zr_warning_list_add(builder->arena, &builder->color_warnings,
                             "PLY: colours of faces are not drawn, since the vertices have colours");
         faces->colors = NULL;
     }
     if (file->has_odd_colors) {
-        if (file->colors)
-            mend_colors(file, file->colors, file->vertex_count, has_float_colors(file, ZR_PLY_VERTEX), &odd);
-        if (faces->colors) mend_colors(file, faces->colors, faces->count, has_float_colors(file, ZR_PLY_FACE), &odd);
+        if (file->colors) mend_colors(file, file->colors, file->vertex_count, of_vertices == 1.0, &odd);
+        if (faces->colors) mend_colors(file, faces->colors, faces->count, of_faces == 1.0, &odd);
     }
+    if ((file->colors && of_vertices == 65535.0 && brighten(file, file->colors, file->vertex_count)) ||
+        (faces->colors && of_faces == 65535.0 && brighten(file, faces->colors, faces->count)))
+        zr_warning_list_add(builder->arena, &builder->color_warnings,
+                            "PLY: colours of type ushort have no value above 255: taken as 0 to 255");
     if (odd.is_bright)
         zr_warning_list_add(builder->arena, &builder->color_warnings,
                             "PLY: colours of type float go beyond 1: taken as 0 to 255");
@@ -157,9 +223,11 @@ static void warn_of_elements(const struct zr_ply_file *file, struct zr_scene_bui
     for (size_t i = 0; i < file->header.element_count; i++) {
         const struct zr_ply_element *element = &file->header.elements[i];
         const struct zr_ply_plan plan = zr_ply_plan_of(element);
-        if (plan.kind == ZR_PLY_VERTEX && zr_ply_find(element, "f_dc_0"))
-            zr_warning_list_add(builder->arena, &builder->color_warnings,
-                                "PLY: colours and sizes of splats (f_dc_0) are not read in this version");
+        if (plan.is_splat)
+            zr_warning_list_add(
+                builder->arena, &builder->color_warnings,
+                "PLY: splats (f_dc_0) are drawn as opaque points of their mean colours; sizes, shapes and "
+                "opacities are not read in this version");
         if (plan.kind != ZR_PLY_OTHER || element->count == 0) continue;
         if (count++ == 0) first = element;
     }
@@ -210,6 +278,8 @@ enum zr_status zr_ply_finish(struct zr_ply_file *file, struct zr_scene_builder *
 {
     struct zr_mesh *mesh = zr_scene_builder_meshes(builder, 1);
     if (!mesh) return ZR_NO_MEMORY;
+    const bool has_surface = file->faces.count > 0 || file->line_count > 0;
+    if (file->has_holes) drop_holes(file, builder);
     finish_colors(file, builder);
     mesh->position_count = (uint32_t)file->vertex_count;
     mesh->positions = file->positions;
@@ -223,15 +293,10 @@ enum zr_status zr_ply_finish(struct zr_ply_file *file, struct zr_scene_builder *
         mesh->normal_count = mesh->position_count;
         zr_scene_builder_note_normals(builder, 0, file->normals, file->vertex_count);
     }
-    if (mesh->face_count == 0 && mesh->line_count == 0 && !make_points(file, mesh)) return ZR_NO_MEMORY;
+    if (!has_surface && !make_points(file, mesh)) return ZR_NO_MEMORY;
     if (mesh->face_count == 0 && mesh->line_count == 0 && mesh->point_count == 0)
         return zr_error_add(file->error, ZR_BAD_SCENE, NULL, "no geometry: the PLY file has no vertex to draw");
-    if (file->has_holes) {
-        if (check_holes(file, mesh->indices, file->faces.corner_count, "a face") &&
-            check_holes(file, mesh->lines, 2 * file->line_count, "an edge"))
-            fill_holes(file, builder);
-        if (file->error->count > 0) return file->error->status;
-    }
+    if (file->has_holes) fill_holes(file, builder);
     warn_of_oddities(file, builder);
     if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
     return zr_arena_ok(file->arena) ? ZR_OK : ZR_NO_MEMORY;

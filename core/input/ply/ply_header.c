@@ -62,11 +62,18 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
 }
 
+/* Returns the size of a byte order mark, which some editors put first. */
+static size_t mark_size(const char *bytes, size_t size)
+{
+    return size >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+}
+
 bool zr_looks_so_PLY(const char *bytes, size_t size)
 {
-    size_t at = 3;
-    if (size < 4 || memcmp(bytes, "ply", 3) != 0) return false;
-    while (at < size && at < 16 && (bytes[at] == ' ' || bytes[at] == '\t'))
+    const size_t mark = mark_size(bytes, size);
+    size_t at = mark + 3;
+    if (size < mark + 4 || memcmp(bytes + mark, "ply", 3) != 0) return false;
+    while (at < size && at < mark + 16 && (bytes[at] == ' ' || bytes[at] == '\t'))
         at++;
     return at < size && (bytes[at] == '\n' || bytes[at] == '\r');
 }
@@ -237,7 +244,8 @@ enum zr_status zr_ply_read_header(struct zr_arena *arena, const char *bytes, siz
                                   struct zr_error *error)
 {
     const size_t searched = size < ZR_PLY_HEADER_MAX ? size : ZR_PLY_HEADER_MAX;
-    struct reader reader = {.at = bytes, .end = bytes + searched, .header = header, .error = error};
+    struct reader reader = {
+        .at = bytes + mark_size(bytes, size), .end = bytes + searched, .header = header, .error = error};
     struct line line;
     bool is_end = false;
     *header = (struct zr_ply_header){.form = ZR_PLY_ASCII};

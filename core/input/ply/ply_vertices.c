@@ -84,11 +84,45 @@ static void store_texcoords(struct zr_ply_file *file, const struct zr_ply_column
     }
 }
 
+/* Stores opaque colours of 0xRRGGBB, whose bits a float may have. */
+static void store_packed(enum zr_ply_type type, const double *values, size_t count, zr_vec4 *out)
+{
+    for (size_t i = 0; i < count; i++) {
+        const float number = (float)values[i];
+        uint32_t bits = (uint32_t)(int64_t)(fabs(values[i]) <= 4294967295.0 ? values[i] : 0.0);
+        if (type == ZR_PLY_F32) memcpy(&bits, &number, sizeof bits);
+        out[i] = (zr_vec4){(float)(bits >> 16 & 255) / 255.0f, (float)(bits >> 8 & 255) / 255.0f,
+                           (float)(bits & 255) / 255.0f, 1};
+    }
+}
+
+/* Stores the mean colours of splats: the constant harmonic times its coefficient, around grey. */
+static void store_splats(const struct zr_ply_columns *columns, size_t count, zr_vec4 *out)
+{
+    static const double harmonic = 0.28209479177387814; /* 1 / (2 sqrt(pi)) */
+    for (size_t i = 0; i < count; i++) {
+        float v[3];
+        for (int k = 0; k < 3; k++) {
+            const double value = 0.5 + harmonic * columns->values[ZR_PLY_RED + k][i];
+            v[k] = value > 0.0 ? (float)(value < 1.0 ? value : 1.0) : 0.0f;
+        }
+        out[i] = (zr_vec4){v[0], v[1], v[2], 1};
+    }
+}
+
 void zr_ply_store_colors(struct zr_ply_file *file, const struct zr_ply_plan *plan, const struct zr_ply_columns *columns,
                          size_t count, zr_vec4 *out)
 {
     double scales[4];
     bool is_odd = false;
+    if (plan->is_splat) {
+        store_splats(columns, count, out);
+        return;
+    }
+    if (plan->is_packed) { /* a reader of records fills the last slot of a property */
+        store_packed(plan->slots[ZR_PLY_BLUE]->type, columns->values[ZR_PLY_BLUE], count, out);
+        return;
+    }
     for (int k = 0; k < 4; k++) {
         const struct zr_ply_property *property = plan->slots[ZR_PLY_RED + k];
         scales[k] = property ? zr_ply_color_scale(property->type) : 1.0;
