@@ -47,6 +47,7 @@ float *zr_gltf_read_vectors(struct zr_gltf *file, const struct zr_gltf_attribute
 {
     struct zr_gltf_values values;
     if (!zr_gltf_open_attribute(file, attribute, &values)) return NULL;
+    values.mends = true;
     float *out = zr_gltf_allocate(file, range->count, values.width * sizeof *out);
     return out && zr_gltf_read_floats(file, &values, range, out, values.width) ? out : NULL;
 }

@@ -53,7 +53,9 @@ static void read_view(struct zr_gltf *file, struct zr_json *json, const struct z
     if (given.extensions)
         zr_gltf_find_extension(file, ZR_JSON_KEY(path, "extensions"), given.extensions, ZR_GLTF_MESHOPT,
                                &view->compressed);
-    if (has_stride && (view->stride < STRIDE_MIN || view->stride > STRIDE_MAX))
+    if (has_stride && view->stride == 0)
+        zr_gltf_note(&file->zero_strides, ZR_JSON_KEY(path, view_fields[VIEW_STRIDE].key));
+    else if (has_stride && (view->stride < STRIDE_MIN || view->stride > STRIDE_MAX))
         zr_json_fault(json, ZR_JSON_KEY(path, view_fields[VIEW_STRIDE].key), "%u; %d to %d bytes are allowed",
                       view->stride, STRIDE_MIN, STRIDE_MAX);
 }

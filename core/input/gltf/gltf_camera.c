@@ -2,6 +2,7 @@
 #include "input/gltf/gltf_file.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "input/text/names.h"
@@ -61,33 +62,52 @@ static void check_planes(struct zr_json *json, const struct zr_json_path *path, 
         zr_json_fault(json, path, "zfar is %.9g and znear %.9g", (double)camera->zfar, (double)camera->znear);
 }
 
+static void read_projection(struct zr_gltf *file, const struct zr_json_path *path, const struct given_camera *given,
+                            struct zr_model_camera *camera)
+{
+    struct zr_json *json = &file->json;
+    struct given_projection projection = {1, 1, 1, 1, 2};
+    const size_t faults = json->error->count;
+    const int key = given->perspective ? PERSPECTIVE : ORTHOGRAPHIC;
+    if (!given->perspective && !given->orthographic) {
+        zr_json_fault(json, path, "perspective or orthographic is needed");
+        return;
+    }
+    zr_gltf_fields_at(file, given->perspective ? given->perspective : given->orthographic,
+                      ZR_JSON_KEY(path, fields[key].key),
+                      given->perspective ? &perspective_object : &orthographic_object, &projection);
+    *camera = (struct zr_model_camera){.name = camera->name,
+                                       .number = camera->number,
+                                       .is_perspective = given->perspective != NULL,
+                                       .yfov_radians = given->perspective ? projection.yfov : 0.0f,
+                                       .xmag = given->perspective ? 0.0f : fabsf(projection.xmag),
+                                       .ymag = given->perspective ? 0.0f : fabsf(projection.ymag),
+                                       .has_zfar = zr_json_gives(file->given, given->perspective ? P_ZFAR : O_ZFAR),
+                                       .znear = projection.znear,
+                                       .zfar = projection.zfar};
+    if (!given->perspective && !(camera->xmag > 0.0f && camera->ymag > 0.0f))
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key), "xmag and ymag must not be 0");
+    if (json->error->count == faults) check_planes(json, ZR_JSON_KEY(path, fields[key].key), camera);
+}
+
+/* A camera with a fault is refused only where it is asked for. */
 static void read_camera(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct zr_model_camera *camera = &file->cameras[number];
     struct given_camera given = {"", NULL, NULL};
-    struct given_projection projection = {1, 1, 1, 1, 2};
-    const size_t faults = json->error->count;
+    struct zr_error *const error = json->error, faults = {.count = 0};
     zr_gltf_fields(file, json, path, &object, &given);
-    const int key = given.perspective ? PERSPECTIVE : ORTHOGRAPHIC;
-    if (!given.perspective && !given.orthographic) {
-        zr_json_fault(json, path, "perspective or orthographic is needed");
-        return;
-    }
-    zr_gltf_fields_at(file, given.perspective ? given.perspective : given.orthographic,
-                      ZR_JSON_KEY(path, fields[key].key),
-                      given.perspective ? &perspective_object : &orthographic_object, &projection);
-    *camera = (struct zr_model_camera){.name = given.name,
-                                       .number = number,
-                                       .is_perspective = given.perspective != NULL,
-                                       .yfov_radians = given.perspective ? projection.yfov : 0.0f,
-                                       .xmag = given.perspective ? 0.0f : fabsf(projection.xmag),
-                                       .ymag = given.perspective ? 0.0f : fabsf(projection.ymag),
-                                       .has_zfar = zr_json_gives(file->given, given.perspective ? P_ZFAR : O_ZFAR),
-                                       .znear = projection.znear,
-                                       .zfar = projection.zfar};
-    if (!given.perspective && !(camera->xmag > 0.0f && camera->ymag > 0.0f))
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key), "xmag and ymag must not be 0");
-    if (json->error->count == faults) check_planes(json, ZR_JSON_KEY(path, fields[key].key), camera);
+    *camera = (struct zr_model_camera){.name = given.name, .number = number};
+    file->json.error = &faults;
+    read_projection(file, path, &given, camera);
+    file->json.error = error;
+    if (faults.count == 0) return;
+    zr_gltf_note(&file->bad_cameras, path);
+    const struct zr_error_item *first = &faults.items[0];
+    const size_t room = strlen(first->pointer) + strlen(first->detail) + 3;
+    char *fault = zr_arena_alloc(file->json.arena, room, 1);
+    if (fault) snprintf(fault, room, "%s: %s", first->pointer, first->detail);
+    camera->fault = fault;
 }
 
 bool zr_gltf_read_cameras(struct zr_gltf *file)

@@ -124,6 +124,7 @@ struct zr_gltf_values {
     size_t stride;
     const unsigned char *sparse_indices, *sparse_values;
     double limit; /* of magnitudes, if they are read as floats; FLT_MAX until the caller sets it */
+    bool mends;   /* elements that are not finite are read as 0, with a note */
 };
 
 /* Elements of an accessor. */
@@ -218,6 +219,8 @@ struct zr_gltf {
     uint32_t *mesh_materials;
     const struct zr_recenter_move **moves; /* one per mesh of the scene, or NULL */
     struct zr_model_scene *made;
+    struct zr_gltf_note child_roots, second_parents, no_rotation; /* nodes */
+    struct zr_gltf_note not_finite, wide_texcoords, zero_strides, bad_cameras;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, clamped_spots, specular_textures, gloss_textures;
     struct zr_gltf_note not_compressed, not_drawn; /* attributes of primitives with compressed data */

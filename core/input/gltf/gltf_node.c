@@ -1,4 +1,4 @@
-/* Reads nodes and scenes of glTF, and places meshes. A node with two parents is refused. */
+/* Reads nodes and scenes of glTF, and places meshes. Each node has one parent: the first that names it. */
 #include "input/gltf/gltf_extensions.h"
 
 #include <string.h>
@@ -38,7 +38,7 @@ static bool read_matrix(struct zr_json *json, const struct zr_json_path *path, v
     if (!zr_json_affine(json, path, &node->matrix) || !zr_json_square(&again, path, 4, (double)ZR_MATRIX_MAX, m, &rows))
         return false;
     for (int axis = 0; axis < 3; axis++)
-        node->exact[axis] = m[rows ? 4 * axis + 3 : 12 + axis];
+        node->exact[axis] = m[rows ? 4 * axis + 3 : 12 + axis] / m[15];
     return true;
 }
 
@@ -60,22 +60,22 @@ static const struct zr_json_field fields[] = {
 #undef AT
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("node", fields);
 
-static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path, const struct given_node *given,
-                          uint64_t keys)
+static bool has_length(zr_vec4 q)
 {
-    const zr_vec4 q = given->rotation;
+    return q.x != 0.0f || q.y != 0.0f || q.z != 0.0f || q.w != 0.0f;
+}
+
+static zr_mat4 find_local(struct zr_gltf *file, const struct zr_json_path *path, const struct given_node *given)
+{
+    const uint64_t keys = file->given;
     const bool has_pose =
         zr_json_gives(keys, TRANSLATION) || zr_json_gives(keys, ROTATION) || zr_json_gives(keys, SCALE);
     if (zr_json_gives(keys, MATRIX)) {
-        if (has_pose) zr_json_fault(json, path, "two transformations: a matrix, and its parts");
+        if (has_pose) zr_json_fault(&file->json, path, "two transformations: a matrix, and its parts");
         return given->matrix;
     }
     if (!has_pose) return zr_mat4_identity();
-    if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f) {
-        zr_json_fault(json, ZR_JSON_KEY(path, fields[ROTATION].key), "the quaternion has the length 0");
-        return zr_mat4_identity();
-    }
-    return zr_mat4_of_pose(given->translation, q, given->scale);
+    return zr_mat4_of_pose(given->translation, given->rotation, given->scale);
 }
 
 static void read_node(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
@@ -91,7 +91,11 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
     size_t children = 0;
     zr_gltf_fields(file, json, path, &object, &given);
     const uint64_t keys = file->given;
-    *node = (struct zr_node){.local = find_local(json, path, &given, keys), .mesh = ZR_NODE_NO_MESH};
+    if (!has_length(given.rotation)) {
+        zr_gltf_note(&file->no_rotation, ZR_JSON_KEY(path, fields[ROTATION].key));
+        given.rotation = (zr_vec4){0, 0, 0, 1};
+    }
+    *node = (struct zr_node){.local = find_local(file, path, &given), .mesh = ZR_NODE_NO_MESH};
     if (given.mesh != ZR_GLTF_NONE &&
         zr_gltf_check_index(file, ZR_JSON_KEY(path, fields[MESH].key), given.mesh, ZR_GLTF_MESHES)) {
         node->mesh = given.mesh;
@@ -128,15 +132,19 @@ static void read_node(struct zr_gltf *file, struct zr_json *json, const struct z
 
 /* ---- children ---- */
 
-static void read_child(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t parent,
-                       uint32_t *out)
+/* Adds a child to a node, unless it has another parent. */
+static void read_child(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t parent)
 {
     struct zr_gltf_nodes *all = file->nodes;
-    *out = 0;
-    if (!zr_json_index(json, path, all->count, "nodes", out)) return;
-    if (all->parents[*out] != ZR_GLTF_NONE)
-        zr_json_fault(json, path, "node %u has two parents: node %u, too", *out, all->parents[*out]);
-    all->parents[*out] = parent;
+    struct zr_node *node = &all->nodes[parent];
+    uint32_t child = 0;
+    if (!zr_json_index(json, path, all->count, "nodes", &child)) return;
+    if (all->parents[child] != ZR_GLTF_NONE) {
+        zr_gltf_note(&file->second_parents, path);
+        return;
+    }
+    all->parents[child] = parent;
+    all->children[node->first_child + node->child_count++] = child;
 }
 
 static bool read_children(struct zr_gltf *file)
@@ -147,16 +155,17 @@ static bool read_children(struct zr_gltf *file)
         all->nodes[i].first_child = all->child_count;
         all->child_count += all->nodes[i].child_count; /* no overflow: each is a value of the text */
     }
-    uint32_t *next = all->children = zr_arena_alloc(arena, all->child_count, sizeof *next);
-    if (!next) return false;
+    all->children = zr_arena_alloc(arena, all->child_count, sizeof *all->children);
+    if (!all->children) return false;
     for (uint32_t i = 0; i < all->count && !zr_json_stops(&file->json); i++) {
         if (!all->places[i]) continue;
         const struct zr_json_path *node = ZR_GLTF_ITEM(ZR_GLTF_NODES, i),
                                   *path = ZR_JSON_KEY(node, fields[CHILDREN].key);
         struct zr_json there = zr_json_at(&file->json, all->places[i]);
+        all->nodes[i].child_count = 0;
         zr_json_enter(&there, '[');
         for (size_t k = 0; zr_json_any_item(&there); k++)
-            read_child(file, &there, ZR_JSON_ITEM(path, k), i, next++);
+            read_child(file, &there, ZR_JSON_ITEM(path, k), i);
     }
     return file->json.error->count == 0;
 }
@@ -185,8 +194,7 @@ static void read_root(struct zr_gltf *file, struct zr_json *json, const struct z
     uint32_t node;
     (void)number;
     if (!zr_json_index(json, path, all->count, "nodes", &node)) return;
-    if (all->parents[node] != ZR_GLTF_NONE)
-        zr_json_fault(json, path, "node %u is no root: node %u is its parent", node, all->parents[node]);
+    if (all->parents[node] != ZR_GLTF_NONE) zr_gltf_note(&file->child_roots, path);
     push(all, node);
 }
 
@@ -232,18 +240,32 @@ static void find_drawn(struct zr_gltf_nodes *all)
     }
 }
 
+/* Takes nodes that the scene lists away from parents outside the scene, which do not move them. */
+static void detach_roots(struct zr_gltf_nodes *all)
+{
+    for (uint32_t i = 0; i < all->count; i++) {
+        const uint32_t parent = all->parents[i];
+        if (!all->is_drawn[i] || parent == ZR_GLTF_NONE || all->is_drawn[parent]) continue;
+        struct zr_node *node = &all->nodes[parent];
+        uint32_t *children = &all->children[node->first_child], kept = 0;
+        for (uint32_t k = 0; k < node->child_count; k++)
+            if (children[k] != i) children[kept++] = children[k];
+        node->child_count = kept;
+        all->parents[i] = ZR_GLTF_NONE;
+    }
+}
+
 /* Sets the matrices of the nodes that the animation moves. */
 static bool animate(struct zr_gltf *file)
 {
     if (!zr_gltf_animate(file)) return false;
     for (uint32_t i = 0; i < file->nodes->count; i++) {
         const struct zr_gltf_pose *pose = &file->poses[i];
-        const zr_vec4 q = pose->rotation;
+        const bool has_rotation = has_length(pose->rotation);
         if (!pose->is_moved) continue;
-        if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f)
-            return zr_json_fault(&file->json, ZR_GLTF_ITEM(ZR_GLTF_NODES, i),
-                                 "the animation gives it a quaternion of length 0");
-        file->nodes->nodes[i].local = zr_mat4_of_pose(pose->translation, q, pose->scale);
+        if (!has_rotation) zr_gltf_note(&file->no_rotation, ZR_GLTF_ITEM(ZR_GLTF_NODES, i));
+        file->nodes->nodes[i].local =
+            zr_mat4_of_pose(pose->translation, has_rotation ? pose->rotation : (zr_vec4){0, 0, 0, 1}, pose->scale);
     }
     return true;
 }
@@ -332,6 +354,7 @@ bool zr_gltf_read_nodes(struct zr_gltf *file)
     if (!zr_gltf_read_list(file, ZR_GLTF_NODES, read_node) || !read_children(file) || !find_roots(file)) return false;
     if (file->poses && !animate(file)) return false;
     find_drawn(all);
+    detach_roots(all);
     find_worlds(all);
     find_uses(file);
     for (uint32_t i = 0; i < count; i++) {

@@ -62,6 +62,14 @@ static bool read_tangents(struct zr_gltf *file, const struct zr_gltf_making *mak
     return tangents != NULL;
 }
 
+/* Some exporters write texture coordinates of volumes, of which the first two are read. */
+static int shape_of_texcoords(const struct zr_gltf *file, uint32_t accessor)
+{
+    const bool is_wide = accessor < file->counts[ZR_GLTF_ACCESSORS] &&
+                         file->accessors[accessor].shape == ZR_GLTF_VEC3 && file->accessors[accessor].sparse.count == 0;
+    return is_wide ? ZR_GLTF_VEC3 : ZR_GLTF_VEC2;
+}
+
 /* Reads both sets into one array: set 0 into x, y and set 1 into z, w. */
 static bool read_texcoords(struct zr_gltf *file, const struct zr_gltf_making *making)
 {
@@ -72,11 +80,15 @@ static bool read_texcoords(struct zr_gltf *file, const struct zr_gltf_making *ma
                              : NULL;
     if (!texcoords) return false;
     for (int set = 0; set < 2; set++) {
-        const struct zr_gltf_attribute of = attribute_of(making, names[set], numbers[set], ZR_GLTF_VEC2);
+        const struct zr_gltf_attribute of =
+            attribute_of(making, names[set], numbers[set], shape_of_texcoords(file, numbers[set]));
         struct zr_gltf_values values;
         if (numbers[set] == ZR_GLTF_NONE) continue;
         if (!zr_gltf_open_attribute(file, &of, &values)) return false;
         values.limit = (double)ZR_TEXCOORD_MAX;
+        values.mends = true;
+        if (of.shape == ZR_GLTF_VEC3) zr_gltf_note(&file->wide_texcoords, ZR_JSON_KEY(of.path, of.name));
+        values.width = 2;
         if (!zr_gltf_read_floats(file, &values, &making->range, &texcoords[0].x + 2 * set, 4)) return false;
     }
     making->mesh->texcoords = texcoords;

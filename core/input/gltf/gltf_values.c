@@ -1,6 +1,7 @@
 /* Converts elements of accessors of glTF to floats and indices. Source: glTF 2.0, sections 3.6.2 and 3.11. */
 #include "input/gltf/gltf_file.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/cancel.h"
@@ -132,6 +133,30 @@ static bool refuse(struct zr_gltf *file, const struct zr_gltf_values *values, ui
     return false;
 }
 
+/* Sets an element to 0 if it has a number that is not finite. */
+static bool mend(struct zr_gltf *file, const struct zr_gltf_values *values, float *at)
+{
+    struct zr_json_path room[2];
+    bool is_finite = true;
+    for (uint32_t k = 0; k < values->width; k++)
+        is_finite = is_finite && isfinite(at[k]);
+    if (is_finite || !values->mends) return false;
+    zr_gltf_note(&file->not_finite, path_of(values, room));
+    put_zeros(values->width, 1, at, values->width);
+    return true;
+}
+
+/* Checks `count` elements, the first of which has the number `first`. */
+static bool check_run(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t first, uint32_t count,
+                      float *out, size_t step)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        i += find_bad(out + i * step, step, values->width, count - i, (float)values->limit);
+        if (i < count && !mend(file, values, out + i * step)) return refuse(file, values, first + i, out + i * step);
+    }
+    return true;
+}
+
 /* Reports a sparse index that is too large, or not above the index before it. */
 static bool refuse_sparse(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t k, uint32_t index)
 {
@@ -176,8 +201,7 @@ bool zr_gltf_read_floats(struct zr_gltf *file, const struct zr_gltf_values *valu
     if (values->sparse_indices && !put_sparse(file, values, range, out, step)) return false;
     for (uint32_t at = 0; at < count; at += AT_ONCE) {
         const uint32_t run = count - at < AT_ONCE ? count - at : AT_ONCE;
-        const uint32_t bad = find_bad(out + at * step, step, values->width, run, (float)values->limit);
-        if (bad < run) return refuse(file, values, first + at + bad, out + (at + bad) * step);
+        if (!check_run(file, values, first + at, run, out + at * step, step)) return false;
         if (zr_is_cancelled(file->json.cancel)) return false;
     }
     return true;

@@ -33,8 +33,22 @@ void zr_gltf_warn(struct zr_gltf *file)
         zr_warning_list_add(arena, all, "%u of %u meshes are placed by no node of the scene and are not drawn",
                             unplaced, file->counts[ZR_GLTF_MESHES]);
     warn_of(file, all, &file->unknown, "this key is not known", "keys are not known");
+    warn_of(file, all, &file->child_roots, "a child, drawn without its parents, which the scene does not list",
+            "nodes of the scene are children of others, and are drawn without them unless the scene lists them, too");
+    warn_of(file, all, &file->second_parents, "a child of another node, too, which alone places it",
+            "children have a parent before, which alone places them");
+    warn_of(file, all, &file->no_rotation, "a quaternion of the length 0, taken as no rotation",
+            "quaternions have the length 0 and are taken as no rotation");
     warn_of(file, all, &file->unread_channels, "targets a property that is not read",
             "channels target properties that are not read");
+    warn_of(file, all, &file->zero_strides, "0, taken as elements without gaps",
+            "strides are 0 and are taken as elements without gaps");
+    warn_of(file, all, &file->not_finite, "an element is not finite, and taken as 0",
+            "elements of attributes are not finite and are taken as 0");
+    warn_of(file, colors, &file->wide_texcoords, "VEC3, of which the first two numbers are read",
+            "sets of texture coordinates are VEC3, of which the first two numbers are read");
+    warn_of(file, all, &file->bad_cameras, "this camera cannot be used, and is left out",
+            "cameras cannot be used and are left out");
     warn_of(file, all, &file->no_positions, "without POSITION, and not drawn", "primitives are without POSITION");
     warn_of(file, all, &file->not_compressed, "neither compressed nor in a bufferView: it is 0",
             "attributes are neither compressed nor in a bufferView, and are 0");

@@ -1,5 +1,7 @@
 #include "input/json/json_matrix.h"
 
+#include <math.h>
+
 #include "input/json/json_array.h"
 #include "scene/scene.h"
 
@@ -41,12 +43,19 @@ bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, void *o
     return true;
 }
 
+/* Largest distance from 1 of the last element of an affine matrix that went through other programs. */
+#define ROUNDING 1e-5f
+
 /* The message explains the order: a flat list written row by row has the translation in the bottom row. */
 bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     zr_mat4 matrix;
-    const float *m = matrix.m;
+    float *m = matrix.m;
     if (!zr_json_mat4(json, path, &matrix)) return false;
+    const float last = m[15];
+    if (last != 1.0f && fabsf(last - 1.0f) <= ROUNDING) /* divides all by the last element, which is the same matrix */
+        for (int i = 0; i < 16; i++)
+            m[i] /= last;
     if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f)
         return zr_json_fault(json, path,
                              "the bottom row is %.9g %.9g %.9g %.9g, not 0 0 0 1 (a flat list goes column by column)",

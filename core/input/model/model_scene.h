@@ -21,6 +21,7 @@ struct zr_model_camera {
     float yfov_radians, xmag, ymag;
     bool has_zfar;
     float znear, zfar;
+    const char *fault; /* why it cannot be a view; NULL: it can */
 };
 
 struct zr_model_scene {

@@ -185,6 +185,8 @@ bool zr_model_scene_use_camera(struct zr_parsed_scene *root, const struct zr_jso
     if (!found)
         return zr_json_fault(&root->json, path, "the file has no camera %s; its cameras: %s", quote.text,
                              zr_model_scene_cameras(file).text);
+    if (found->fault)
+        return zr_json_fault(&root->json, path, "the camera %s cannot be used: %s", quote.text, found->fault);
     if (!set_pose(view, found, up, root->gives_projection))
         return zr_json_fault(&root->json, path, "the camera %s has no axes", quote.text);
     if (!root->gives_projection) set_projection(view, found);

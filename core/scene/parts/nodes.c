@@ -102,8 +102,9 @@ static bool tally_below(struct placing *placing, uint32_t start, struct link *pa
 static bool tally_all(struct placing *placing, struct link *path, uint64_t *instances)
 {
     const struct zr_nodes *nodes = placing->nodes;
-    for (uint32_t i = 0; i < nodes->child_count; i++)
-        placing->tallies[nodes->children[i]].is_child = true;
+    for (uint32_t i = 0; i < nodes->count; i++)
+        for (uint32_t k = 0; k < nodes->nodes[i].child_count; k++)
+            placing->tallies[nodes->children[nodes->nodes[i].first_child + k]].is_child = true;
     *instances = 0;
     for (uint32_t i = 0; i < nodes->count; i++) {
         const struct tally *tally = &placing->tallies[i];
