@@ -17,16 +17,29 @@ static const struct {
 } formats[] = {ZR_FORMAT_ROWS(FORMAT)};
 enum { FORMATS = sizeof formats / sizeof formats[0] };
 
-/* Formats of other programs, and programs that convert them. */
-#define BY_CAD  "freecadcmd, or cadquery's exporters.export"
-#define BY_MESH "assimp export, Blender or meshio"
+/* Formats of other programs, and what makes a file of them that zraster reads. */
+#define CONVERT "Convert it to STL, OBJ, PLY or GLB: "
 static const struct {
-    const char *suffixes, *name, *converter;
-} foreign[] = {{" step stp ", "a STEP", BY_CAD},
-               {" iges igs ", "an IGES", BY_CAD},
-               {" brep fcstd ", "a CAD", BY_CAD},
-               {" scad ", "an OpenSCAD", "openscad -o part.stl"},
-               {" off dae fbx 3ds wrl x3d blend usd usda usdc usdz vtk vtu msh dxf ", "a 3D", BY_MESH}};
+    const char *suffixes, *name, *advice;
+} foreign[] = {
+    {" step stp ", "a STEP", CONVERT "freecadcmd, or cadquery's exporters.export"},
+    {" iges igs ", "an IGES", CONVERT "freecadcmd, or cadquery's exporters.export"},
+    {" brep fcstd ", "a CAD", CONVERT "freecadcmd, or cadquery's exporters.export"},
+    {" sldprt sldasm x_t x_b sat sab ipt iam prt catpart catproduct par psm 3dxml jt ", "a CAD",
+     "Save it as STEP or STL in the program that made it"},
+    {" 3dm ", "a Rhino", CONVERT "Rhino, or rhino3dm in Python"},
+    {" scad ", "an OpenSCAD", CONVERT "openscad -o part.stl"},
+    {" ifc ", "an IFC", CONVERT "IfcConvert building.ifc building.glb"},
+    {" amf ", "an AMF", CONVERT "prusa-slicer --export-3mf, or assimp export"},
+    {" off dae fbx 3ds wrl x3d blend usd usda usdc usdz msh dxf ac lwo ", "a 3D",
+     CONVERT "assimp export, Blender or meshio"},
+    {" vtk vtu vtp vti ", "a VTK", CONVERT "meshio convert, or ParaView"},
+    {" pcd xyz pts las laz e57 ", "a point cloud", CONVERT "pdal translate cloud.las cloud.ply, or CloudCompare"},
+    {" splat ksplat spz sog ", "a splat", "Convert it to PLY: SuperSplat, or npx splat-transform scene.spz scene.ply"},
+    {" drc ", "a Draco", CONVERT "draco_decoder -i mesh.drc -o mesh.ply"},
+    {" b3dm i3dm cmpt pnts ", "a 3D Tiles", CONVERT "npx 3d-tiles-tools b3dmToGlb -i tile.b3dm -o tile.glb"},
+    {" vox ", "a MagicaVoxel", CONVERT "vengi-voxconvert --input model.vox --output model.glb"},
+    {" gz bz2 xz zst 7z rar tar tgz ", "a packed", "Unpack it first, such as by gunzip, unxz or tar xf"}};
 
 static const char *ending_of(const char *path)
 {
@@ -69,8 +82,7 @@ static bool refuse_foreign(const char *path, struct bytes *faults)
     snprintf(suffix, sizeof suffix, " %.12s ", ending_of(path));
     for (size_t i = 0; i < sizeof foreign / sizeof *foreign && strlen(suffix) > 2; i++)
         if (strcasestr(foreign[i].suffixes, suffix)) {
-            bytes_print(faults, "it is %s file, which zraster does not read. Convert it to STL, OBJ, PLY or GLB: %s",
-                        foreign[i].name, foreign[i].converter);
+            bytes_print(faults, "it is %s file, which zraster does not read. %s", foreign[i].name, foreign[i].advice);
             return true;
         }
     return false;
@@ -141,11 +153,11 @@ bool input_read(struct input *input, const char *path, const struct options *opt
     }
     if (input->is_scene && refuse_parameters(options, faults)) return false;
     input->is_usage = false;
+    if (!input->is_known && refuse_foreign(path, faults)) return false;
     if (!bytes_read(&input->body, path)) {
         bytes_explain(faults);
         return false;
     }
-    if (!input->is_known && refuse_foreign(path, faults)) return false;
     if (input->body.size == 0)
         bytes_print(faults, "it is empty");
     else if (is_web_page(&input->body))

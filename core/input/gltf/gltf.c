@@ -2,6 +2,7 @@
  * The body, data: URIs or parts of the request hold the bytes of buffers and images. */
 #include "input/gltf/gltf_file.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "input/formats/input.h"
@@ -10,12 +11,27 @@
 
 /* ---- the version ---- */
 
+enum { VERSION_SIZE = 16 };
+
 struct given_asset {
     const char *version, *minimum;
 };
+
+/* Reads a string, or a number, which some exporters write: 2 is "2.0". `out`: const char *. */
+static bool read_version(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    double number = 0.0;
+    if (zr_json_type(json) != ZR_JSON_NUMBER) return zr_json_string(json, path, out);
+    if (!zr_json_number_in(json, path, 0.0, 1e3, &number)) return false;
+    char *text = zr_arena_alloc(json->arena, VERSION_SIZE, 1);
+    if (text) snprintf(text, VERSION_SIZE, "%.1f", number);
+    *(const char **)out = text;
+    return text != NULL;
+}
+
 enum { VERSION, MINIMUM };
 static const struct zr_json_field asset_fields[] = {
-    [VERSION] = {"version", zr_json_string, offsetof(struct given_asset, version), .required = true,
+    [VERSION] = {"version", read_version, offsetof(struct given_asset, version), .required = true,
                  .text = "version of glTF"},
     [MINIMUM] = {.key = "minVersion", .read = zr_json_string, .offset = offsetof(struct given_asset, minimum)},
     {.key = "generator", .read = zr_gltf_ignore},
