@@ -130,6 +130,34 @@ static void turn(const float *m, float scale, float *v)
         v[row] = scale * ((m[row] * x + m[4 + row] * y) + m[8 + row] * z);
 }
 
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* Turns a normal by the inverse transpose of the matrix, up to a factor, and keeps its length. A matrix that flattens
+ * the normal away leaves it. */
+static void turn_normal(const float *m, float *normal)
+{
+    double columns[3][3], turned[3] = {0, 0, 0}, cofactors[3][3], before = 0.0, after = 0.0, det = 0.0;
+    for (int k = 0; k < 9; k++)
+        columns[k / 3][k % 3] = (double)m[4 * (k / 3) + k % 3];
+    for (int k = 0; k < 3; k++)
+        cross(columns[(k + 1) % 3], columns[(k + 2) % 3], cofactors[k]);
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++)
+            turned[i] += (double)normal[k] * cofactors[k][i];
+        det += columns[0][i] * cofactors[0][i];
+        before += (double)normal[i] * (double)normal[i];
+        after += turned[i] * turned[i];
+    }
+    if (!(after > 0.0 && isfinite(after))) return;
+    const double scale = (det < 0.0 ? -1.0 : 1.0) * sqrt(before / after);
+    for (int i = 0; i < 3; i++)
+        normal[i] = (float)(scale * turned[i]);
+}
+
 /* Moves vertex `i`. Scales its weights to the sum 1. If their sum is 0, the vertex stays. */
 static bool move(const struct zr_gltf_skin *skin, const struct influences of[2], int sets, uint32_t i,
                  struct zr_mesh *mesh)
@@ -145,7 +173,7 @@ static bool move(const struct zr_gltf_skin *skin, const struct influences of[2],
     position->x += scale * sum.m[12];
     position->y += scale * sum.m[13];
     position->z += scale * sum.m[14];
-    if (mesh->normals) turn(sum.m, scale, (float *)(mesh->normals + i));
+    if (mesh->normals) turn_normal(sum.m, (float *)(mesh->normals + i));
     if (mesh->tangents) turn(sum.m, scale, (float *)(mesh->tangents + i));
     return true;
 }

@@ -248,7 +248,7 @@ TEST(joints_place_a_skinned_mesh)
     static const char text[] =
         WITH_JOINTS("\"nodes\":[{\"mesh\":0,\"skin\":0,\"translation\":[9,9,9]},{\"mesh\":0},{\"translation\":[0,0,2],"
                     "\"children\":[3]},"
-                    "{\"translation\":[0,0,3],\"scale\":[2,2,2]}],\"skins\":[{\"joints\":[3]}],\"meshes\":[{"
+                    "{\"translation\":[0,0,3],\"scale\":[4,1,2]}],\"skins\":[{\"joints\":[3]}],\"meshes\":[{"
                     "\"primitives\":[{\"attributes\":"
                     "{\"POSITION\":0,\"NORMAL\":0,\"JOINTS_0\":4,\"WEIGHTS_0\":2},\"indices\":1}]}]");
     struct reading *reading = read_file(text);
@@ -256,9 +256,11 @@ TEST(joints_place_a_skinned_mesh)
     assert_int_equal(scene->mesh_count, 2);
     const uint32_t bent = scene->instances[0].mesh, straight = scene->instances[1].mesh;
     assert_true(scene->instances[0].object_to_world.m[12] == 0.0f);
-    assert_position(&scene->meshes[bent], 2, 2, 2, 5);
+    assert_position(&scene->meshes[bent], 2, 4, 1, 5);
     assert_position(&scene->meshes[straight], 2, 1, 1, 0);
-    assert_true(scene->meshes[bent].normals[2].x == 2.0f && scene->meshes[bent].normals[2].z == 0.0f);
+    const zr_vec3 normal = scene->meshes[bent].normals[2]; /* by the inverse transpose, as long as before */
+    assert_true(normal.y == 4.0f * normal.x && normal.z == 0.0f &&
+                fabsf(normal.x * normal.x + normal.y * normal.y - 2.0f) < 1e-6f);
     reading_free(reading);
     reading = read_over((struct zr_request){.color = NULL},
                         WITH_JOINTS("\"nodes\":[{\"mesh\":0,\"skin\":0},{}],\"skins\":[{\"joints\":[1]}],\"meshes\":"
