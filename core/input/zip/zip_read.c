@@ -12,6 +12,7 @@ enum { ENCRYPTED = 1 << 0, SIZES_BEHIND = 1 << 3, STRONGLY_ENCRYPTED = 1 << 6, H
 enum { ZIP64_FIELD = 1, CHECKED_AT_ONCE = 1 << 10 };
 
 struct archive {
+    struct zr_arena *arena;
     const char *bytes;
     size_t size;
     size_t directory, directory_end; /* offsets */
@@ -103,13 +104,22 @@ static bool check_name(const struct archive *archive, const struct zr_zip_member
     if (*name == '/' || (member->name_length > 1 && name[1] == ':'))
         return member_fault(archive, member, "its name is absolute");
     for (const char *at = name; at < end; at++) {
-        if (*at == '\\') return member_fault(archive, member, "its name has a backslash");
         if ((unsigned char)*at < 0x20) return member_fault(archive, member, "its name has a control character");
         const bool begins = at == name || at[-1] == '/';
         if (begins && end - at >= 2 && at[0] == '.' && at[1] == '.' && (end - at == 2 || at[2] == '/'))
             return member_fault(archive, member, "its name has a part '..'");
     }
     return true;
+}
+
+/* Returns a name with slashes instead of backslashes, which some programs of Windows write. NULL without memory. */
+static const char *clean_name(const struct archive *archive, const char *name, size_t length)
+{
+    if (!memchr(name, '\\', length)) return name;
+    char *clean = zr_arena_copy(archive->arena, name, length);
+    for (size_t i = 0; clean && i < length; i++)
+        if (clean[i] == '\\') clean[i] = '/';
+    return clean;
 }
 
 /* Replaces each size and offset of 0xFFFFFFFF by its value in the ZIP64 field. */
@@ -133,8 +143,8 @@ static bool read_extra(const struct archive *archive, struct zr_zip_member *memb
     return true;
 }
 
-/* Finds the member's bytes after its local header. Checks the header against the directory. */
-static bool read_local(const struct archive *archive, struct zr_zip_member *member, uint64_t offset)
+/* Finds the member's bytes after its local header. Checks the header against the directory, which has `name`. */
+static bool read_local(const struct archive *archive, struct zr_zip_member *member, const char *name, uint64_t offset)
 {
     const size_t room = archive->directory;
     if (room < LOCAL_SIZE || offset > room - LOCAL_SIZE) return member_fault(archive, member, "it lies outside");
@@ -144,7 +154,7 @@ static bool read_local(const struct archive *archive, struct zr_zip_member *memb
     const size_t left = room - (size_t)offset;
     if (head > left || member->packed_size > left - head)
         return member_fault(archive, member, "it reaches into the directory");
-    if (name_length != member->name_length || memcmp(at + LOCAL_SIZE, member->name, name_length) != 0)
+    if (name_length != member->name_length || memcmp(at + LOCAL_SIZE, name, name_length) != 0)
         return member_fault(archive, member, "its local header has another name");
     const uint32_t packed = number(at + 18, 4), size = number(at + 22, 4);
     const bool has_sizes = !(number(at + 6, 2) & SIZES_BEHIND) && packed != UINT32_MAX && size != UINT32_MAX;
@@ -172,8 +182,9 @@ static bool read_entry(const struct archive *archive, size_t *at, struct zr_zip_
     if (left < CENTRAL_SIZE || number(entry, 4) != CENTRAL) return fault(archive, "its directory is cut off");
     const size_t name_length = number(entry + 28, 2), extra = number(entry + 30, 2);
     const size_t entry_size = CENTRAL_SIZE + name_length + extra + number(entry + 32, 2);
+    const char *name = entry + CENTRAL_SIZE;
     if (entry_size > left) return fault(archive, "its directory is cut off");
-    *member = (struct zr_zip_member){.name = entry + CENTRAL_SIZE,
+    *member = (struct zr_zip_member){.name = clean_name(archive, name, name_length),
                                      .name_length = name_length,
                                      .method = number(entry + 10, 2),
                                      .crc = number(entry + 16, 4),
@@ -183,8 +194,9 @@ static bool read_entry(const struct archive *archive, size_t *at, struct zr_zip_
     if (number(entry + 8, 2) & (ENCRYPTED | STRONGLY_ENCRYPTED | HEADERS_ENCRYPTED))
         return member_fault(archive, member, "it is encrypted");
     *at += entry_size;
-    return check_name(archive, member) && read_extra(archive, member, &offset, member->name + name_length, extra) &&
-           read_local(archive, member, offset) && check_sizes(archive, member);
+    return member->name && check_name(archive, member) &&
+           read_extra(archive, member, &offset, name + name_length, extra) &&
+           read_local(archive, member, name, offset) && check_sizes(archive, member);
 }
 
 /* ---- order ---- */
@@ -243,7 +255,7 @@ bool zr_zip_is(const char *bytes, size_t size)
 enum zr_status zr_zip_open(struct zr_arena *arena, const char *bytes, size_t size, struct zr_zip *zip,
                            struct zr_reason *reason)
 {
-    struct archive archive = {.bytes = bytes, .size = size, .reason = reason};
+    struct archive archive = {.arena = arena, .bytes = bytes, .size = size, .reason = reason};
     if (!read_end(&archive)) return ZR_BAD_SYNTAX;
     if (archive.entries > ZR_ZIP_MEMBERS_MAX) {
         zr_reason_give(reason, "%zu members; %d are allowed", archive.entries, ZR_ZIP_MEMBERS_MAX);
@@ -255,7 +267,7 @@ enum zr_status zr_zip_open(struct zr_arena *arena, const char *bytes, size_t siz
     for (size_t i = 0; i < archive.entries; i++) {
         struct zr_zip_member *member = &zip->members[zip->count];
         if (i % CHECKED_AT_ONCE == 0 && zr_is_cancelled(arena->cancel)) return ZR_CANCELLED;
-        if (!read_entry(&archive, &at, member)) return ZR_BAD_SYNTAX;
+        if (!read_entry(&archive, &at, member)) return zr_arena_ok(arena) ? ZR_BAD_SYNTAX : ZR_NO_MEMORY;
         if (member->name[member->name_length - 1] != '/') zip->count++;
     }
     if (at != archive.directory_end) return fault(&archive, "bytes follow its directory"), ZR_BAD_SYNTAX;

@@ -2,7 +2,8 @@
  *
  * Safe:   the directory is checked as a whole before a member is read: members do not overlap each other or the
  *         directory, and their sizes fit the archive. A member's memory is allocated by the size in the directory, and
- *         inflating stops beyond that size. Names are relative, without "..", backslashes or duplicates.
+ *         inflating stops beyond that size. Names are relative, without ".." or duplicates; backslashes in
+ *         them are read as slashes.
  * Source: PKWARE, APPNOTE.TXT 6.3.10; ZIP64 is read. RFC 1951 for deflate.
  */
 #ifndef ZR_ZIP_READ_H
