@@ -100,6 +100,12 @@ static bool is_data(const struct zr_gltf_uri *uri)
     return uri->size >= 5 && strncasecmp(uri->text, "data:", 5) == 0;
 }
 
+bool zr_gltf_is_missing(struct zr_gltf *file, const struct zr_gltf_uri *uri)
+{
+    return uri->text && !is_data(uri) && !zr_file_part_find(&file->assets, file->json.arena, uri->text) &&
+           zr_arena_ok(file->json.arena);
+}
+
 bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_uri *uri,
                       struct zr_parsed_bytes *out)
 {

@@ -220,7 +220,7 @@ struct zr_gltf {
     const struct zr_recenter_move **moves; /* one per mesh of the scene, or NULL */
     struct zr_model_scene *made;
     struct zr_gltf_note child_roots, second_parents, no_rotation; /* nodes */
-    struct zr_gltf_note not_finite, wide_texcoords, zero_strides, bad_cameras;
+    struct zr_gltf_note missing_images, not_finite, wide_texcoords, zero_strides, bad_cameras;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, clamped_spots, specular_textures, gloss_textures;
     struct zr_gltf_note not_compressed, not_drawn; /* attributes of primitives with compressed data */
@@ -321,6 +321,9 @@ bool zr_gltf_has_view(struct zr_gltf *file, uint32_t number);
 
 /* Reads a struct zr_gltf_uri. */
 zr_json_read_fn zr_gltf_uri;
+
+/* Returns true if a URI names a part of the request that is not there. */
+bool zr_gltf_is_missing(struct zr_gltf *file, const struct zr_gltf_uri *uri);
 
 /* Finds the bytes of a URI: a data: URI or a part of the request. `path` leads to the key with the URI. */
 bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_uri *uri,

@@ -97,6 +97,11 @@ static bool find_image(struct zr_gltf *file, const struct zr_json_path *path, ui
 {
     if (!zr_gltf_check_index(file, path, number, ZR_GLTF_IMAGES)) return false;
     struct zr_gltf_image *image = &file->images[number];
+    if (image->state == ZR_GLTF_UNREAD && zr_gltf_is_missing(file, &image->uri)) {
+        zr_gltf_note(&file->missing_images,
+                     ZR_JSON_KEY(ZR_GLTF_ITEM(ZR_GLTF_IMAGES, number), image_fields[IMAGE_URI].key));
+        image->state = ZR_GLTF_REFUSED;
+    }
     if (image->state == ZR_GLTF_UNREAD)
         image->state = decode(file, ZR_GLTF_ITEM(ZR_GLTF_IMAGES, number), image) ? ZR_GLTF_READ : ZR_GLTF_REFUSED;
     *out = image->number;
@@ -216,7 +221,7 @@ static const struct zr_json_field info_fields[] = {
 static const struct zr_json_object info_object = ZR_JSON_OBJECT_OF("textureInfo", info_fields);
 
 /* Finds the image and the sampler of a texture. False after a fault, in a rehearsal, or without an image, which is
- * counted. */
+ * noted. */
 static bool find(struct zr_gltf *file, enum zr_texture_slot slot, uint32_t number,
                  const struct zr_parsed_texture *given, struct zr_texture *out)
 {

@@ -35,9 +35,9 @@ static zr_vec4 middle(zr_vec4 a, zr_vec4 b)
 /* Pushes the children of a triangle, the last one on top. */
 static bool split(struct reader *reader, const struct piece *piece, int sides, int first)
 {
-    const zr_vec4 a = piece->corners[first], b = piece->corners[(first + 1) % 3], c = piece->corners[(first + 2) % 3];
     struct piece *out = &reader->stack[reader->depth];
     if (first > 2 || reader->depth + 4 > sizeof reader->stack / sizeof *reader->stack) return false;
+    const zr_vec4 a = piece->corners[first], b = piece->corners[(first + 1) % 3], c = piece->corners[(first + 2) % 3];
     if (sides == 1) {
         const zr_vec4 bc = middle(b, c);
         out[0] = (struct piece){{a, b, bc}};

@@ -390,8 +390,8 @@ TEST(filaments_and_paint_of_slicers_are_colours)
         "<metadata key=\"extruder\" value=\"2\"/></part><part id=\"2\" subtype=\"modifier_part\"/></object></config>";
     struct reading *reading = read_sliced(
         "<model " CORE "><resources><object id=\"1\">" SQUARE TRIANGLE_OF("") TRIANGLE_OF("paint_color=\"4\"")
-            TRIANGLE_OF("paint_color=\"0C0483\"") TRIANGLE_OF(
-                "paint_color=\"43\"") "</triangles></mesh></object>"
+            TRIANGLE_OF("paint_color=\"0C0483\"") TRIANGLE_OF("paint_color=\"43\"") TRIANGLE_OF(
+                "paint_color=\"0D\"") "</triangles></mesh></object>"
                                       "<object id=\"2\">" MESH
                                       "</object><object id=\"3\"><components><component objectid=\"1\"/><component "
                                       "objectid=\"2\"/></components></object><object id=\"4\">" MESH
@@ -400,7 +400,7 @@ TEST(filaments_and_paint_of_slicers_are_colours)
         project, settings, false);
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
     assert_int_equal(reading->scene->mesh_count, 2);
-    assert_int_equal(mesh->face_count, 7);
+    assert_int_equal(mesh->face_count, 8);
     assert_face(mesh, 0, 0, 0, 1); /* the part's filament */
     assert_face(mesh, 1, 1, 0, 0); /* painted */
     assert_face(mesh, 2, 0, 0, 1); /* the piece in the middle */
@@ -409,11 +409,12 @@ TEST(filaments_and_paint_of_slicers_are_colours)
     assert_true(mesh->positions[11].x == 0.0f && mesh->positions[11].y == 2.0f);
     assert_face(mesh, 4, 0, 0, 1); /* not painted */
     assert_face(mesh, 5, 0, 1, 0); /* the third extruder, written in two digits */
-    assert_face(mesh, 6, 0, 0, 1); /* wrong paint */
+    assert_face(mesh, 6, 0, 0, 1); /* wrong paint: cut off */
+    assert_face(mesh, 7, 0, 0, 1); /* wrong paint: a corner 3 */
     assert_face(&reading->scene->meshes[1], 0, 1, 0, 0);
     assert_int_equal(reading->scene->warning_count, 2);
     assert_true(warns(reading, "1 parts or triangles are modifiers of a slicer, and are left out"));
-    assert_true(warns(reading, "1 triangles have unknown paint"));
+    assert_true(warns(reading, "2 triangles have unknown paint"));
     reading_free(reading);
 }
 
