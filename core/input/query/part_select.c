@@ -18,11 +18,14 @@ enum { STEPS_PER_CANCEL_CHECK = 1 << 16 };
 /* Number of names among which a hint is searched. */
 enum { NAMES_OFFERED = 1000 };
 
+/* Whether a set has a part: not, by a pattern, or by its name or id. */
+enum mark { UNMARKED, MATCHED, NAMED };
+
 struct selecting {
     struct zr_scene_builder *builder;
     const struct zr_part_list *list;
     struct zr_error *error;
-    uint8_t *marks; /* per part: 1 if it is in the set that is matched now */
+    uint8_t *marks; /* per part: enum mark, of the set that is matched now */
     uint64_t steps;
     bool is_over;      /* too many steps */
     bool is_cancelled; /* some names were not compared */
@@ -144,7 +147,7 @@ static void refuse_id(struct selecting *s, const struct zr_part_set *set, uint32
 static bool mark_id(struct selecting *s, double id)
 {
     if (!(id >= 1.0 && id <= (double)s->list->count)) return false;
-    s->marks[(uint32_t)id - 1] = 1;
+    s->marks[(uint32_t)id - 1] = NAMED;
     return true;
 }
 
@@ -154,12 +157,15 @@ static bool mark_text(struct selecting *s, const char *text)
     bool is_found = false;
     const struct zr_part *exact = zr_part_list_find(s->list, text);
     if (exact) {
-        s->marks[exact - s->list->at] = 1;
+        s->marks[exact - s->list->at] = NAMED;
         return true;
     }
     if (!strpbrk(text, "*?")) return mark_id(s, id_of_text(text));
     for (uint32_t p = 0; p < s->list->count && goes_on(s); p++)
-        if (matches(s, text, s->list->at[p].name)) s->marks[p] = is_found = true;
+        if (matches(s, text, s->list->at[p].name)) {
+            is_found = true;
+            if (s->marks[p] == UNMARKED) s->marks[p] = MATCHED;
+        }
     return is_found;
 }
 
@@ -199,6 +205,11 @@ static uint32_t style_of_color(uint32_t number)
     return (number + 1) << ZR_PART_COLOR_SHIFT;
 }
 
+static bool is_highlighted(uint32_t style)
+{
+    return style >> ZR_PART_COLOR_SHIFT > ZR_PART_COLORS;
+}
+
 static void set_styles(struct selecting *s, const struct zr_part_keys *keys, uint32_t *styles)
 {
     const uint32_t count = s->list->count;
@@ -211,7 +222,7 @@ static void set_styles(struct selecting *s, const struct zr_part_keys *keys, uin
     }
     mark(s, &keys->ghost);
     for (uint32_t p = 0; p < count; p++)
-        if (s->marks[p]) styles[p] |= ZR_PART_GHOST;
+        if (s->marks[p] == NAMED || (s->marks[p] == MATCHED && !is_highlighted(styles[p]))) styles[p] |= ZR_PART_GHOST;
     mark(s, &keys->isolate);
     for (uint32_t p = 0; keys->isolate.count > 0 && p < count; p++)
         if (!s->marks[p]) styles[p] |= ZR_PART_HIDDEN;

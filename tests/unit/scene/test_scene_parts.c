@@ -117,6 +117,10 @@ TEST(highlights_have_a_colour_and_ghosts_are_blended)
                       "\"#ff0000\"}], \"ghost\": 2, "),
                 true);
     assert_same(SCENE("\"ghost\": \"b\", "), ghost, true);
+    assert_same(SCENE("\"ghost\": \"*\", \"highlight\": \"b\", "), SCENE("\"ghost\": [1, 3], \"highlight\": \"b\", "),
+                true);
+    assert_other(SCENE("\"ghost\": [\"*\", \"b\"], \"highlight\": \"b\", "),
+                 SCENE("\"ghost\": \"*\", \"highlight\": \"b\", "));
     assert_other(SCENE("\"ghost\": \"b\", "), SCENE(""));
 }
 
