@@ -24,6 +24,7 @@ static int no_memory(void)
 struct listed {
     char *file, *out;        /* `out`: NULL unless a line names it */
     const char *stem;        /* in `file` */
+    bool keeps_ending;       /* another file has the same stem */
     struct options *options; /* of the line; NULL: those of the batch */
     size_t line;
 };
@@ -248,7 +249,7 @@ static int add_argument(struct file_list *list, const char *argument)
 /* Returns the name of the outputs of a file, as far as it is known before drawing. */
 static char *main_name(const struct file_list *list, const struct listed *listed)
 {
-    const struct target target = {.folder = list->folder, .stem = listed->stem};
+    const struct target target = {.folder = list->folder, .stem = listed->stem, .keeps_ending = listed->keeps_ending};
     return listed->out ? strdup(listed->out) : output_name_begin(&target);
 }
 
@@ -286,21 +287,29 @@ static int refuse_names(const struct listed *a, const struct listed *b, const ch
                          b->file, name);
 }
 
-/* Refuses two files whose main names have the same hash, if the names are the same. */
-static int check_pair(const struct file_list *list, const struct listed *a, const struct listed *b)
+/* Files with the same stem, such as part.stl and part.obj, keep their endings. Returns false if these are the same. */
+static bool tell_apart(struct listed *a, struct listed *b)
+{
+    if (a->out || b->out || strcmp(a->stem, b->stem) == 0) return false;
+    a->keeps_ending = b->keeps_ending = true;
+    return true;
+}
+
+/* Compares two files whose main names have the same hash. Refuses them if nothing tells the names apart. */
+static int check_pair(const struct file_list *list, struct listed *a, struct listed *b)
 {
     char *name = main_name(list, a), *other = main_name(list, b);
     int status = 0;
     if (!name || !other)
         status = no_memory();
-    else if (strcmp(name, other) == 0)
+    else if (strcmp(name, other) == 0 && !tell_apart(a, b))
         status = refuse_names(a, b, name);
     free(name);
     free(other);
     return status;
 }
 
-/* Refuses files whose outputs would have the same name. */
+/* Gives each file outputs of its own, or refuses the files. */
 static int check_names(const struct file_list *list)
 {
     const size_t count = list->file_count;
@@ -334,10 +343,13 @@ static int make_jobs(struct file_list *list)
             free(listed->out);
             continue;
         }
-        list->jobs[list->count++] = (struct job){
-            .options = listed->options ? listed->options : list->options,
-            .target = {.file = listed->file, .out = listed->out, .folder = list->folder, .stem = listed->stem},
-            .line = listed->line};
+        list->jobs[list->count++] = (struct job){.options = listed->options ? listed->options : list->options,
+                                                 .target = {.file = listed->file,
+                                                            .out = listed->out,
+                                                            .folder = list->folder,
+                                                            .stem = listed->stem,
+                                                            .keeps_ending = listed->keeps_ending},
+                                                 .line = listed->line};
     }
     free(list->files);
     list->files = NULL;
@@ -352,6 +364,7 @@ int file_list_make(struct file_list *list, const struct options *options)
     for (size_t i = 0; status == 0 && i < options->file_count; i++)
         status = add_argument(list, options->files[i]);
     if (status == 0 && options->own[OPTION_LIST]) status = add_list(list, options->own[OPTION_LIST]);
-    if (status == 0) status = check_names(list);
+    for (int turn = 0; status == 0 && turn < 2; turn++) /* the second turn compares names with endings */
+        status = check_names(list);
     return status ? status : make_jobs(list);
 }

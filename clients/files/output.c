@@ -172,7 +172,8 @@ char *output_name_begin(const struct target *target)
     const char *folder = target->folder, *stem = target->stem;
     const bool slash = *folder && folder[strlen(folder) - 1] != '/';
     char *name = NULL;
-    return asprintf(&name, "%s%s%.*s", folder, slash ? "/" : "", (int)(dot_of(stem) - stem), stem) < 0 ? NULL : name;
+    const size_t length = target->keeps_ending ? strlen(stem) : (size_t)(dot_of(stem) - stem);
+    return asprintf(&name, "%s%s%.*s", folder, slash ? "/" : "", (int)length, stem) < 0 ? NULL : name;
 }
 
 char *output_name(const struct target *target, const char *channel, const char *extension)
@@ -221,11 +222,12 @@ static bool check_ending(const char *out, struct bytes *faults)
     for (size_t i = 0; i < FORMAT_COUNT; i++)
         near_offer(&near, FORMATS[i].ending);
     if (is_video(ending))
-        bytes_print(faults,
-                    "-o %s: zraster writes no .%s; --turntable 36 -o %.*s.webp saves a moving picture, and --turntable 36 "
-                    "-o frames/ saves frames for a video: ffmpeg -framerate 12 -pattern_type glob -i 'frames/*.png' "
-                    "-pix_fmt yuv420p %s",
-                    out, ending, stem, out, out);
+        bytes_print(
+            faults,
+            "-o %s: zraster writes no .%s; --turntable 36 -o %.*s.webp saves a moving picture, and --turntable 36 "
+            "-o frames/ saves frames for a video: ffmpeg -framerate 12 -pattern_type glob -i 'frames/*.png' "
+            "-pix_fmt yuv420p %s",
+            out, ending, stem, out, out);
     else
         bytes_print(faults, "-o %s: zraster writes no .%s; -o %.*s.%s saves a picture", out, ending, stem, out,
                     near.best && !is_foreign(ending) ? near.best : "png");

@@ -14,6 +14,7 @@ struct target {
     const char *out;    /* name of the only output, "-", or NULL: FOLDER/STEM.ext; STEM.channel.ext of several */
     const char *folder; /* "": the current one */
     const char *stem;   /* name in the folder, whose ending is replaced; may have folders of its own */
+    bool keeps_ending;  /* the ending of the stem is kept before the output's: part.stl.png */
 };
 
 /* Makes the target of a file for the option -o, which may be NULL. */

@@ -239,6 +239,12 @@ check "outputs within the folder" 0 "$zraster" batch inner -o inner/out -c info,
 check "are not drawn" 0 "$zraster" batch inner -o inner/out -c info,color --json
 verdict "by the next batch" [ "$(wc -l <"$said")" = 1 ]
 
+mkdir stems && triangle >stems/part.stl && printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >stems/part.obj && cp stems/part.obj stems/other.obj
+check "a batch draws files with one stem" 0 "$zraster" batch stems -o stemmed -s 8
+verdict "under names with their endings" [ "$(cd stemmed && echo *)" = "other.png part.obj.png part.stl.png" ]
+check "and --resume finds them" 0 "$zraster" batch stems -o stemmed -s 8 --resume --json
+verdict "all" [ "$(grep -c '"skipped"' "$said")" = 3 ]
+
 # What has no end is refused, or read until a signal.
 mkdir pipes && mkfifo pipes/pipe.obj && ln -s pipe.obj pipes/link.obj && triangle >pipes/part.stl
 check "a folder's pipes are no files" 0 timeout 20 "$zraster" batch pipes -o piped -s 8 --json
