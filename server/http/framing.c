@@ -133,18 +133,48 @@ static bool take_field(struct framing *f, char c)
     return true;
 }
 
-/* Returns true if the header's value passes: http_exchange.c or libmicrohttpd reads it. */
+/* Headers whose values pass, since http_exchange.c or libmicrohttpd reads them. With a `twice`, a header decides by its
+ * one value: two of them are refused, since two readers of the request could each take another one. Those without are
+ * lists, whose values count together, or names for the log. */
+enum { HOST, LENGTH, ENCODING, EXPECT, FORWARDED_FOR, FORWARDED, KNOWN_FIRST };
+static const struct {
+    const char *name, *twice;
+} KNOWN[] = {
+    [HOST] = {"host", "exactly one Host header is needed"},
+    [LENGTH] = {"content-length", "more than one Content-Length"},
+    [ENCODING] = {"transfer-encoding", "more than one Transfer-Encoding"},
+    [EXPECT] = {"expect", "more than one Expect"},
+    [FORWARDED_FOR] = {"x-forwarded-for", NULL},
+    [FORWARDED] = {"forwarded", NULL},
+    [KNOWN_FIRST] = {"content-type", "more than one Content-Type"},
+    {"content-encoding", "more than one Content-Encoding"},
+    {"authorization", "more than one Authorization"},
+    {"if-none-match", "more than one If-None-Match"},
+    {"origin", "more than one Origin"},
+    {"sec-fetch-site", "more than one Sec-Fetch-Site"},
+    {"mcp-protocol-version", "more than one MCP-Protocol-Version"},
+    {"mcp-method", "more than one Mcp-Method"},
+    {"mcp-name", "more than one Mcp-Name"},
+    {"accept", NULL},
+    {"accept-encoding", NULL},
+    {"connection", NULL},
+    {"x-request-id", NULL},
+    {"traceparent", NULL},
+};
+enum { KNOWN_COUNT = sizeof KNOWN / sizeof KNOWN[0] };
+_Static_assert(KNOWN_COUNT <= 32, "framing.seen has a bit for each");
+
+static uint32_t find_known(const struct framing *f)
+{
+    uint32_t i = 0;
+    while (i < KNOWN_COUNT && !equals(f->name, f->name_length, KNOWN[i].name))
+        i++;
+    return i;
+}
+
 static bool is_read_here(const struct framing *f)
 {
-    static const char *const NAMES[] = {"host",          "connection",     "content-length",   "transfer-encoding",
-                                        "expect",        "content-type",   "content-encoding", "authorization",
-                                        "if-none-match", "x-request-id",   "traceparent",      "accept",
-                                        "origin",        "sec-fetch-site", "accept-encoding",  "mcp-protocol-version",
-                                        "mcp-method",    "mcp-name"};
-    for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++)
-        if (equals(f->name, f->name_length, NAMES[i])) return true;
-    return f->reads_client &&
-           (equals(f->name, f->name_length, "x-forwarded-for") || equals(f->name, f->name_length, "forwarded"));
+    return f->known < KNOWN_COUNT && (f->reads_client || (f->known != FORWARDED_FOR && f->known != FORWARDED));
 }
 
 /* Returns true for headers whose valid values have no space. Space around a value is no part of it (RFC 9112, 5). But
@@ -152,13 +182,13 @@ static bool is_read_here(const struct framing *f)
  * space passes in these values. */
 static bool is_compared_whole(const struct framing *f)
 {
-    return equals(f->name, f->name_length, "content-length") || equals(f->name, f->name_length, "transfer-encoding") ||
-           equals(f->name, f->name_length, "expect");
+    return f->known == LENGTH || f->known == ENCODING || f->known == EXPECT;
 }
 
 static bool take_name(struct framing *f, char c)
 {
     if (c == ':') {
+        f->known = find_known(f);
         f->is_read = is_read_here(f);
         f->is_exact = is_compared_whole(f);
         return enter(f, FRAMING_VALUE);
@@ -206,39 +236,37 @@ static bool parse_length(struct framing *f)
     return f->value_length > 0 && f->value_length < FRAMING_WORD_SIZE;
 }
 
+static void note_fault(struct framing *f, int status, const char *detail)
+{
+    if (!f->wrong) f->wrong_status = status;
+    if (!f->wrong) f->wrong = detail;
+}
+
+static bool has(const struct framing *f, uint32_t known)
+{
+    return (f->seen >> known & 1) != 0;
+}
+
 static void take_header(struct framing *f)
 {
-    const char *name = f->name;
-    const uint32_t length = f->name_length;
-    if (f->is_trailer) return; /* trailers do not affect framing */
-    if (equals(name, length, "host")) f->hosts++;
-    if (equals(name, length, "content-type")) f->types++;
-    if (equals(name, length, "content-length")) {
-        f->lengths++;
-        if (!parse_length(f)) f->wrong = "Content-Length is not a number";
-    }
-    if (equals(name, length, "transfer-encoding")) {
-        f->encodings++;
-        f->is_chunked = equals(f->value, f->value_length, "chunked");
-    }
-    if (equals(name, length, "expect")) {
-        f->expects++;
-        if (!equals(f->value, f->value_length, "100-continue")) f->expects++;
-    }
+    if (f->is_trailer || f->known == KNOWN_COUNT) return; /* trailers do not affect framing */
+    if (has(f, f->known) && KNOWN[f->known].twice) note_fault(f, 400, KNOWN[f->known].twice);
+    f->seen |= (uint32_t)1 << f->known;
+    if (f->known == LENGTH && !parse_length(f)) note_fault(f, 400, "Content-Length is not a number");
+    if (f->known == ENCODING) f->is_chunked = equals(f->value, f->value_length, "chunked");
+    if (f->known == EXPECT && !equals(f->value, f->value_length, "100-continue"))
+        note_fault(f, 417, "the only expectation that is known is 100-continue");
 }
 
 /* HTTP/1.0 has no Host; the health checks of some load balancers send none. */
 static bool check_header(struct framing *f)
 {
-    if (f->hosts != 1 && !(f->is_old && f->hosts == 0)) return refuse(f, 400, "exactly one Host header is needed");
-    if (f->lengths > 1) return refuse(f, 400, "more than one Content-Length");
-    if (f->lengths && f->encodings) return refuse(f, 400, "both Content-Length and Transfer-Encoding");
-    if (f->wrong) return refuse(f, 400, f->wrong);
-    if (f->encodings > 1) return refuse(f, 400, "more than one Transfer-Encoding");
-    if (f->encodings && f->is_old) return refuse(f, 400, "Transfer-Encoding in HTTP/1.0");
-    if (f->encodings && !f->is_chunked) return refuse(f, 501, "the only Transfer-Encoding that is known is chunked");
-    if (f->types > 1) return refuse(f, 400, "more than one Content-Type");
-    if (f->expects > 1) return refuse(f, 417, "the only expectation that is known is 100-continue");
+    if (!has(f, HOST) && !f->is_old) return refuse(f, 400, KNOWN[HOST].twice);
+    if (has(f, LENGTH) && has(f, ENCODING)) return refuse(f, 400, "both Content-Length and Transfer-Encoding");
+    if (f->wrong) return refuse(f, f->wrong_status, f->wrong);
+    if (has(f, ENCODING) && f->is_old) return refuse(f, 400, "Transfer-Encoding in HTTP/1.0");
+    if (has(f, ENCODING) && !f->is_chunked)
+        return refuse(f, 501, "the only Transfer-Encoding that is known is chunked");
     return true;
 }
 
