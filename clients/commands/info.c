@@ -121,12 +121,15 @@ static void print_size(const cJSON *box)
 static void print_part(const cJSON *part)
 {
     const cJSON *name = cJSON_GetObjectItem(part, "name"), *triangles = cJSON_GetObjectItem(part, "triangles"),
-                *volume = cJSON_GetObjectItem(part, "volume"), *area = cJSON_GetObjectItem(part, "area");
+                *volume = cJSON_GetObjectItem(part, "volume"), *area = cJSON_GetObjectItem(part, "area"),
+                *error = cJSON_GetObjectItem(part, "volumeError");
     print_name(cJSON_IsString(name) ? name->valuestring : "");
     printf(" %10.0f", cJSON_IsNumber(triangles) ? triangles->valuedouble : 0.0);
     print_size(cJSON_GetObjectItem(part, "box"));
     printf(" %10.4g", cJSON_IsNumber(area) ? area->valuedouble : 0.0);
-    if (cJSON_IsNumber(volume))
+    if (cJSON_IsNumber(volume) && cJSON_IsNumber(error))
+        printf("  closed %12.6g +- %.2g\n", volume->valuedouble, error->valuedouble);
+    else if (cJSON_IsNumber(volume))
         printf("  closed %12.6g\n", volume->valuedouble);
     else
         puts("  open              -");

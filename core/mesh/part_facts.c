@@ -4,6 +4,7 @@
 #include "base/run.h"
 #include "mesh/closed_parts.h"
 #include "mesh/least_wall.h"
+#include "mesh/overlap.h"
 #include "mesh/world_place.h"
 
 /* Faces by part, and closed parts; made once per mesh. */
@@ -20,7 +21,9 @@ struct sums {
     double moment[3];                              /* of the volume around the apex */
     double min[3], max[3];
     uint64_t triangles, faces;
-    bool is_lost; /* a corner of a face is not finite */
+    bool is_lost;    /* a corner of a face is not finite */
+    bool has_excess; /* of a part: is taken off (mesh/overlap.h) */
+    double volume_error;
 };
 
 struct task {
@@ -334,19 +337,49 @@ static void find_center(const struct measuring *m, const struct zr_part *part, c
     facts->has_center = isfinite(facts->center[0]) && isfinite(facts->center[1]) && isfinite(facts->center[2]);
 }
 
+static struct zr_wall_faces faces_of(const struct measuring *m, const struct zr_part *part)
+{
+    const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
+    const struct sorted_mesh *sorted = &m->meshes[part->mesh];
+    return (struct zr_wall_faces){.mesh = mesh,
+                                  .object_to_world = &m->scene->instances[part->instance].object_to_world,
+                                  .faces = sorted->faces,
+                                  .begin = begin_of(sorted, part->number),
+                                  .end = end_of(sorted, mesh, part->number)};
+}
+
+static bool is_closed(const struct measuring *m, const struct zr_part *part, const struct sums *sums)
+{
+    return m->meshes[part->mesh].closed[part->number] && !sums->is_lost && sums->faces > 0;
+}
+
+/* Takes what shells of a closed part count too often or against one another off its sums. False without memory, or if
+ * cancelled. */
+static bool take_off_excess(struct zr_arena *arena, const struct measuring *m, const struct zr_part *part,
+                            struct sums *sums)
+{
+    if (!is_closed(m, part, sums)) return true;
+    const struct zr_wall_faces faces = faces_of(m, part);
+    struct zr_overlap_box box = {.apex = apex_of(m, part)};
+    struct zr_overlap excess;
+    memcpy(box.min, sums->min, sizeof box.min);
+    memcpy(box.max, sums->max, sizeof box.max);
+    if (!zr_overlap_find(arena, m->cancel, &faces, &box, &excess)) return false;
+    sums->has_excess = excess.is_found;
+    sums->volume -= excess.volume;
+    sums->volume_error = excess.error;
+    for (int k = 0; k < 3; k++)
+        sums->moment[k] -= excess.moment[k];
+    return true;
+}
+
 /* Finds the least wall of a closed part with a volume. */
 static void find_wall(struct zr_arena *arena, const struct measuring *m, const struct zr_part *part,
                       const struct sums *sums, uint64_t *steps, struct zr_part_facts *facts)
 {
     if (!facts->is_closed || sums->volume == 0.0 || sums->faces == 0) return;
-    const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
-    const struct sorted_mesh *sorted = &m->meshes[part->mesh];
-    const struct zr_wall_faces faces = {.mesh = mesh,
-                                        .object_to_world = &m->scene->instances[part->instance].object_to_world,
-                                        .faces = sorted->faces,
-                                        .begin = begin_of(sorted, part->number),
-                                        .end = end_of(sorted, mesh, part->number),
-                                        .is_turned = sums->volume < 0.0};
+    struct zr_wall_faces faces = faces_of(m, part);
+    faces.is_turned = sums->volume < 0.0;
     facts->least_wall = zr_least_wall_find(arena, m->cancel, &faces, steps);
 }
 
@@ -363,6 +396,8 @@ static struct zr_part_facts facts_of(const struct measuring *m, const struct zr_
     facts.shells = shells_of(&m->meshes[part->mesh].shells[part->number], sums->is_lost);
     facts.color = (zr_vec3){clamped(color[0] / weight), clamped(color[1] / weight), clamped(color[2] / weight)};
     if (facts.is_closed) facts.volume = zr_mat4_is_mirror(matrix) ? 0.0 - sums->volume : sums->volume + 0.0;
+    facts.has_overlap = sums->has_excess;
+    facts.volume_error = sums->volume_error;
     find_center(m, part, sums, &facts);
     if (!facts.has_box) return facts;
     facts.min = (zr_vec3){(float)(sums->min[0] + 0.0), (float)(sums->min[1] + 0.0), (float)(sums->min[2] + 0.0)};
@@ -391,6 +426,8 @@ static enum zr_status find(const struct zr_run *run, struct measuring *m, struct
         clear(&sums);
         for (; task < count && m->tasks[task].part == p; task++)
             add_sums(&sums, &m->tasks[task].sums);
+        if (!take_off_excess(run->arena, m, &m->parts->at[p], &sums))
+            return zr_is_cancelled(m->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
         facts[p] = facts_of(m, &m->parts->at[p], &sums);
         find_wall(run->arena, m, &m->parts->at[p], &sums, &steps, &facts[p]);
     }

@@ -4,7 +4,8 @@
  * How:    a face is the fan of each of its rings, from the ring's first corner. Holes count as negative. If a fan turns
  *         in both directions, such as a concave face, its area is the length of its area vector. The volume is a sum of
  *         pyramids over the fans (divergence theorem). Their apex is a corner of the part. The centre of mass is the
- *         mean of the pyramids' centroids, weighted by their volumes.
+ *         mean of the pyramids' centroids, weighted by their volumes. What shells count more than once or against one
+ *         another is measured along rays and taken off (mesh/overlap.h).
  * Wall:   by mesh/least_wall.h. The parts share ZR_WALL_STEPS_MIN steps, and ZR_WALL_STEPS for each of their faces.
  * Lost:   a face with a corner beyond the range of float has no area. A part with such a face is not closed.
  * Exact:  each task of ZR_FACES_PER_TASK faces has separate sums, which are added in order. The results are therefore the
@@ -33,7 +34,9 @@ struct zr_part_facts {
     double area;
     bool is_closed;          /* by the rule of mesh/closed_parts.h */
     struct zr_shells shells; /* open if a face has a corner beyond the range of float */
-    double volume;           /* if closed; negative if its faces are turned inside out */
+    double volume;           /* if closed; negative if all its faces are turned inside out */
+    bool has_overlap;        /* its shells overlap or are turned against one another: the volume is that of rays */
+    double volume_error;     /* then */
     bool has_center;
     double center[3];                /* centre of mass of the volume, if closed and the volume is not 0 */
     struct zr_least_wall least_wall; /* of a closed part whose volume is not 0 */

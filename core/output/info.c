@@ -237,6 +237,7 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
         zr_print_double(print, "volume", facts->volume);
     else
         zr_print_null(print, "volume");
+    if (facts->has_overlap) zr_print_double(print, "volumeError", facts->volume_error);
     if (facts->has_center)
         zr_print_doubles(print, "centerOfMass", facts->center, 3);
     else

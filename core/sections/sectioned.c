@@ -213,39 +213,6 @@ static bool turn_cap(struct zr_sectioning *m, uint32_t face)
     return true;
 }
 
-static void place(const zr_mat4 *m, zr_vec4 p, double out[3])
-{
-    double at[4];
-    for (int row = 0; row < 4; row++)
-        at[row] = (((double)m->m[row] * (double)p.x + (double)m->m[4 + row] * (double)p.y) +
-                   (double)m->m[8 + row] * (double)p.z) +
-                  (double)m->m[12 + row] * (double)p.w;
-    for (int k = 0; k < 3; k++)
-        out[k] = at[k] / at[3];
-}
-
-double zr_sectioned_cap_area(const struct zr_mesh *mesh, uint32_t cap, const zr_mat4 *object_to_world)
-{
-    const uint32_t face = mesh->face_count - mesh->cap_count + cap, begin = mesh->face_offsets[face];
-    const struct zr_rings rings = zr_mesh_rings(mesh, face);
-    double origin[3], sum[3] = {0, 0, 0};
-    place(object_to_world, mesh->positions[mesh->indices[begin]], origin);
-    for (uint32_t r = 0; r < rings.count; r++)
-        for (uint32_t i = rings.offsets[r]; i < rings.offsets[r + 1]; i++) {
-            const uint32_t next = i + 1 < rings.offsets[r + 1] ? i + 1 : rings.offsets[r];
-            double p[3], q[3];
-            place(object_to_world, mesh->positions[mesh->indices[i]], p);
-            place(object_to_world, mesh->positions[mesh->indices[next]], q);
-            for (int k = 0; k < 3; k++) {
-                p[k] -= origin[k];
-                q[k] -= origin[k];
-            }
-            for (int k = 0; k < 3; k++)
-                sum[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
-        }
-    return 0.5 * sqrt((sum[0] * sum[0] + sum[1] * sum[1]) + sum[2] * sum[2]);
-}
-
 /* ---- the mesh ---- */
 
 static enum zr_status build(struct zr_sectioning *m, struct zr_sectioned *out)

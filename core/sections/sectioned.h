@@ -21,10 +21,6 @@ struct zr_sectioned {
     const uint32_t *cap_numbers;     /* per face from the first cap on: its number in `caps` */
 };
 
-/* Returns the area of a cap, the sum over its rings, as placed in the world; in double. Where solids of one part
- * overlap, it counts more than once. `cap`: counted from the first cap of the mesh. */
-double zr_sectioned_cap_area(const struct zr_mesh *mesh, uint32_t cap, const zr_mat4 *object_to_world);
-
 /* Side of a mesh. */
 enum zr_section_side { ZR_SECTION_WHOLE, ZR_SECTION_CUT, ZR_SECTION_GONE };
 

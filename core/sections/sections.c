@@ -7,6 +7,7 @@
 #include "mesh/closed_parts.h"
 #include "scene/parts/part_list.h"
 #include "scene/picture.h"
+#include "sections/cap_area.h"
 #include "sections/hatch.h"
 
 enum { FACES_PER_CANCEL_CHECK = 1 << 13, POSITIONS_PER_CANCEL_CHECK = 1 << 17 };
@@ -208,8 +209,9 @@ static bool dress_caps(struct cutting *c, uint32_t instance, struct zr_sectioned
         const zr_mat4 *matrix = &c->scene->instances[instance].object_to_world;
         c->materials[c->scene->material_count + c->cap_count] = material_of(c, mesh, first + i);
         materials[first + i] = c->scene->material_count + c->cap_count;
-        c->caps[c->cap_count++] =
-            (struct zr_section_cap){instance, cap->part, cap->plane, zr_sectioned_cap_area(mesh, i, matrix)};
+        struct zr_section_cap *drawn = &c->caps[c->cap_count++];
+        *drawn = (struct zr_section_cap){instance, cap->part, cap->plane, 0.0};
+        if (!zr_cap_area_find(c->run, mesh, i, matrix, &drawn->area)) return false;
         if (texcoords)
             zr_hatch_put(mesh, first + i, matrix, &c->planes->at[cap->plane], c->scene->picture->z_is_up, part,
                          c->pitch, texcoords);
@@ -265,7 +267,7 @@ static enum zr_status cut_instance(struct cutting *c, uint32_t instance, struct 
     }
     status = zr_sectioned_make(c->run, mesh, parts, &cut, &made);
     if (status != ZR_OK) return status;
-    if (!dress_caps(c, instance, &made)) return ZR_NO_MEMORY;
+    if (!dress_caps(c, instance, &made)) return zr_is_cancelled(c->run->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
     *out = made.mesh;
     c->numbers[instance] = made.numbers;
     return ZR_OK;

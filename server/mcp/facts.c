@@ -45,8 +45,8 @@ static cJSON *make_box(const cJSON *bounds)
 
 static cJSON *make_part(const cJSON *part)
 {
-    static const char *const keys[] = {"name",   "id",        "triangles",    "area",  "volume", "closed",
-                                       "shells", "leastWall", "centerOfMass", "color", "pixels"};
+    static const char *const keys[] = {"name",   "id",     "triangles", "area",         "volume", "volumeError",
+                                       "closed", "shells", "leastWall", "centerOfMass", "color",  "pixels"};
     cJSON *made = cJSON_CreateObject();
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         copy(made, part, keys[i]);
@@ -64,7 +64,7 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
 {
     const cJSON *parts = mcp_get(info, "parts"), *part;
     const double omitted = mcp_number_of(info, "partsOmitted");
-    double area = 0, volume = 0, shells[SHELL_KINDS] = {0};
+    double area = 0, volume = 0, error = 0, shells[SHELL_KINDS] = {0};
     bool is_closed = cJSON_GetArraySize(parts) > 0; /* as far as the parts are listed */
     mcp_facts_add_unit(content, info);
     mcp_add(content, "box", make_box(mcp_get(info, "bounds")));
@@ -73,12 +73,14 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
     {
         area += mcp_number_of(part, "area");
         volume += mcp_number_of(part, "volume");
+        error += mcp_number_of(part, "volumeError");
         is_closed = is_closed && cJSON_IsTrue(mcp_get(part, "closed"));
         for (int i = 0; i < SHELL_KINDS; i++)
             shells[i] += mcp_number_of(mcp_get(part, "shells"), SHELLS[i]);
         if (cJSON_GetArraySize(list) < PARTS_MAX) mcp_append(list, make_part(part));
     }
     mcp_add(content, "volume", is_closed && omitted == 0 ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
+    if (is_closed && omitted == 0 && error > 0) cJSON_AddNumberToObject(content, "volumeError", error);
     mcp_add(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
     mcp_add(content, "closed", is_closed && omitted > 0 ? cJSON_CreateNull() : cJSON_CreateBool(is_closed));
     cJSON *sum = omitted == 0 ? cJSON_AddObjectToObject(content, "shells") : cJSON_AddNullToObject(content, "shells");
@@ -219,6 +221,14 @@ static void describe_shells(struct mcp_text *text, const cJSON *shells)
     }
 }
 
+static void describe_volume(struct mcp_text *text, const char *between, const cJSON *solid, const char *unit)
+{
+    const double error = mcp_number_of(solid, "volumeError");
+    mcp_text_print(text, "%sclosed, volume %.6g", between, mcp_number_of(solid, "volume"));
+    if (error > 0) mcp_text_print(text, " +- %.2g", error);
+    mcp_text_print(text, " %s^3", unit);
+}
+
 /* Returns true if parts differ in colour. */
 static bool have_colors(const cJSON *parts)
 {
@@ -237,7 +247,7 @@ static void describe_part(struct mcp_text *text, const cJSON *part, const char *
     describe_box(text, mcp_get(part, "box"), unit);
     mcp_text_print(text, ", %.0f triangle%s", triangles, triangles == 1 ? "" : "s");
     if (cJSON_IsNumber(volume))
-        mcp_text_print(text, ", closed, volume %.6g %s^3", volume->valuedouble, unit);
+        describe_volume(text, ", ", part, unit);
     else
         mcp_text_put(text, ", not closed");
     describe_shells(text, mcp_get(part, "shells"));
@@ -253,7 +263,7 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
     describe_box(text, mcp_get(content, "box"), unit);
     if (cJSON_IsNumber(area)) mcp_text_print(text, "; area %.6g %s^2", area->valuedouble, unit);
     if (cJSON_IsNumber(volume))
-        mcp_text_print(text, "; closed, volume %.6g %s^3", volume->valuedouble, unit);
+        describe_volume(text, "; ", content, unit);
     else if (cJSON_IsNull(mcp_get(content, "closed")))
         mcp_text_put(text, "; area, volume and closedness are not known: more than 1000 parts");
     else

@@ -27,13 +27,15 @@ const char mcp_instructions[] =
     "\"units\":{\"type\":[\"string\",\"null\"],\"description\":\"Unit of lengths; null: the format names none.\"},"    \
     "\"box\":" BOX                                                                                                     \
     ",\"volume\":{\"type\":[\"number\",\"null\"],\"description\":\"Sum over the parts; null unless all "               \
-    "are closed; negative if faces are turned inside out.\"},\"area\":" MAYBE_NUMBER                                   \
+    "are closed; negative if faces are turned inside out.\"},\"volumeError\":{\"type\":\"number\",\"description\":"    \
+    "\"If shells overlap: what is inside counts once, and volume is measured to within about "                         \
+    "this.\"},\"area\":" MAYBE_NUMBER                                                                                  \
     ",\"closed\":{\"type\":[\"boolean\",\"null\"],\"description\":\"Every edge is used equally often in both "         \
     "directions. null: not known, of more than 1000 parts; volume, area and shells are null, too.\"},"                 \
     "\"shells\":" MAYBE_SHELLS                                                                                         \
     ",\"parts\":{\"type\":\"array\",\"items\":{\"type\":\"object\",\"required\":[\"name\",\"id\",\"box\",\"closed\"]," \
     "\"properties\":{\"name\":" TEXT ",\"id\":{\"type\":\"integer\"},\"box\":" BOX                                     \
-    ",\"triangles\":{\"type\":\"integer\"},\"area\":" NUMBER ",\"volume\":" MAYBE_NUMBER                               \
+    ",\"triangles\":{\"type\":\"integer\"},\"area\":" NUMBER ",\"volume\":" MAYBE_NUMBER ",\"volumeError\":" NUMBER    \
     ",\"closed\":{\"type\":\"boolean\"},\"shells\":" SHELLS ",\"leastWall\":" MAYBE_NUMBER                             \
     ",\"centerOfMass\":" MAYBE_VECTOR ",\"color\":" TEXT                                                               \
     ",\"pixels\":{\"type\":\"integer\"}}}},\"partsOmitted\":{\"type\":\"integer\"},"                                   \

@@ -128,6 +128,22 @@ static void add_left_out(struct zr_arena *arena, const struct zr_frame *frame, s
                             lines, points);
 }
 
+/* Adds a warning about parts whose volume is not the sum over their shells. */
+static void add_overlaps(struct zr_arena *arena, const struct zr_frame *frame, struct zr_warning_list *w)
+{
+    const struct zr_frame_parts *parts = &frame->parts;
+    uint32_t count = 0, first = 0;
+    for (uint32_t i = parts->facts ? parts->list.count : 0; i-- > 0;) {
+        count += parts->facts[i].has_overlap;
+        if (parts->facts[i].has_overlap) first = i;
+    }
+    if (count > 0)
+        zr_warning_list_add(arena, w,
+                            "shells of %" PRIu32 " parts overlap or are turned against one another, the first: %.100s: "
+                            "volume and centerOfMass count what is inside once, to within volumeError",
+                            count, parts->list.at[first].name);
+}
+
 /* Counts the faces with a mask. */
 static uint64_t count_masked(const struct zr_scene *scene)
 {
@@ -251,6 +267,7 @@ struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, cons
         zr_warning_list_add(arena, &w.first, "%s", scene->warnings[i]);
     add_counts(arena, scene, frame, &w.first);
     add_left_out(arena, frame, &w.first);
+    add_overlaps(arena, frame, &w.first);
     if (!scene->is_undrawn) add_masked(arena, scene, &w.first);
     if (frame->sections && frame->sections->warning)
         zr_warning_list_add(arena, &w.first, "%s", frame->sections->warning);

@@ -114,6 +114,46 @@ TEST_AROUND(caps_have_the_areas_of_formulas, open_arena, close_arena)
     }
 }
 
+/* Two boxes of 1 x 1 x 1 in one part, the second from x on; turned: inside out. */
+TEST_AROUND(areas_of_caps_count_what_is_inside_once, open_arena, close_arena)
+{
+    static const struct {
+        float x;
+        bool is_turned;
+        double area;
+    } cases[] = {{0.5f, false, 1.5}, {3, false, 2}, {1, false, 2}, {3, true, 2}, {0, false, 1}, {0.25f, false, 1.25}};
+    static const uint32_t faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                         {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    static const struct zr_section planes[] = {{.normal = {0, 0, 1}, .point = {0, 0, 0.5}},
+                                               {.normal = {0, 1, 0}, .point = {0, 0.25, 0}}};
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof *cases; i++) {
+        zr_vec4 positions[16];
+        uint32_t indices[48], offsets[13];
+        const float x = cases[i / 2].x;
+        begin(SOLID_CUBE, 8);
+        for (int k = 0; k < 16; k++)
+            positions[k] = (zr_vec4){(k < 8 ? 0 : x) + (float)(k & 1), (float)(k >> 1 & 1), (float)(k >> 2 & 1), 1};
+        for (uint32_t k = 0; k <= 12; k++)
+            offsets[k] = 4 * k;
+        for (uint32_t k = 0; k < 48; k++)
+            indices[k] = k < 24                   ? faces[k / 4][k % 4]
+                         : cases[i / 2].is_turned ? 8 + faces[k / 4 - 6][3 - k % 4]
+                                                  : 8 + faces[k / 4 - 6][k % 4];
+        test.mesh.positions = positions;
+        test.mesh.position_count = 16;
+        test.mesh.face_count = 12;
+        test.mesh.face_offsets = offsets;
+        test.mesh.indices = indices;
+        test.scene.views[0].direction = (zr_vec3){-1, -0.5f, -0.75f};
+        test.scene.sections.count = 1;
+        test.scene.sections.planes[0] = planes[i % 2];
+        const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+        assert_int_equal(frame->sections->cap_count, 1);
+        const double area = frame->sections->caps[0].area;
+        if (fabs(area - cases[i / 2].area) > 1e-5) fail_msg("case %zu: %.9g, not %.9g", i, area, cases[i / 2].area);
+    }
+}
+
 TEST_AROUND(info_has_areas_of_caps_and_counts_their_pixels, open_arena, close_arena)
 {
     begin(SOLID_HOLLOW, 32);
