@@ -1,6 +1,11 @@
 """zraster.pyrender: the documented example, depth, flags, scenes; and signatures beside the original's."""
+import importlib
 import inspect
 import math
+import os
+import subprocess
+import sys
+import tempfile
 import unittest
 import warnings
 
@@ -27,6 +32,9 @@ SIGNATURES = {
     "targets poses",
     "Material": "name normalTexture occlusionTexture emissiveTexture emissiveFactor alphaMode alphaCutoff doubleSided "
     "smooth wireframe",
+    "SpecularGlossinessMaterial": "name normalTexture occlusionTexture emissiveTexture emissiveFactor alphaMode "
+    "alphaCutoff doubleSided smooth wireframe diffuseFactor diffuseTexture specularFactor glossinessFactor "
+    "specularGlossinessTexture",
     "MetallicRoughnessMaterial": "name normalTexture occlusionTexture emissiveTexture emissiveFactor alphaMode "
     "alphaCutoff doubleSided smooth wireframe baseColorFactor baseColorTexture metallicFactor roughnessFactor "
     "metallicRoughnessTexture",
@@ -41,6 +49,8 @@ SIGNATURES = {
     "DirectionalLight": "color intensity name",
     "PointLight": "color intensity range name",
     "SpotLight": "color intensity range innerConeAngle outerConeAngle name",
+    "Renderer": "viewport_width viewport_height point_size",
+    "Trackball": "pose size scale target",
     "OffscreenRenderer": "viewport_width viewport_height point_size",
     "OffscreenRenderer.render": "scene flags seg_node_map",
     "OffscreenRenderer.delete": "",
@@ -50,12 +60,84 @@ PROPERTIES = {
     "spot_lights spot_light_nodes directional_lights directional_light_nodes cameras camera_nodes main_camera_node "
     "bounds centroid extents scale",
     "Node": "matrix rotation scale translation",
+    "Material": "is_transparent textures tex_flags",
+    "OffscreenRenderer": "viewport_width viewport_height point_size",
     "Mesh": "bounds centroid extents scale is_transparent",
-    "Primitive": "bounds centroid extents scale is_transparent",
+    "Primitive": "bounds centroid extents scale is_transparent buf_flags",
 }
 FLAGS = {"NONE": 0, "DEPTH_ONLY": 1, "OFFSCREEN": 2, "FLIP_WIREFRAME": 4, "ALL_WIREFRAME": 8, "ALL_SOLID": 16,
          "SHADOWS_DIRECTIONAL": 32, "SHADOWS_POINT": 64, "SHADOWS_SPOT": 128, "SHADOWS_ALL": 224, "VERTEX_NORMALS": 256,
          "FACE_NORMALS": 512, "SKIP_CULL_FACES": 1024, "RGBA": 2048, "FLAT": 4096, "SEG": 8192}  # fmt: skip
+
+
+# Values that setters refuse, as pyrender's do: the object, the attribute, the value and the exception.
+BAD_VALUES = [
+    ("PerspectiveCamera(1.0)", "yfov", 0.0, ValueError),
+    ("PerspectiveCamera(1.0)", "znear", -1.0, ValueError),
+    ("PerspectiveCamera(1.0)", "zfar", 0.05, ValueError),
+    ("PerspectiveCamera(1.0)", "aspectRatio", -1.0, ValueError),
+    ("OrthographicCamera(1.0, 1.0)", "znear", 0.0, ValueError),
+    ("OrthographicCamera(1.0, 1.0)", "znear", None, TypeError),
+    ("OrthographicCamera(1.0, 1.0)", "zfar", 0.01, ValueError),
+    ("OrthographicCamera(1.0, 1.0)", "xmag", 0.0, ValueError),
+    ("OrthographicCamera(1.0, 1.0)", "ymag", None, TypeError),
+    ("IntrinsicsCamera(9, 9, 4, 4)", "fx", None, TypeError),
+    ("DirectionalLight()", "color", None, ValueError),
+    ("DirectionalLight()", "color", [[1.0, 1.0, 1.0], [1.0, 1.0, 1.0]], ValueError),
+    ("DirectionalLight()", "intensity", None, TypeError),
+    ("PointLight()", "range", 0.0, ValueError),
+    ("SpotLight()", "range", -1.0, ValueError),
+    ("SpotLight()", "innerConeAngle", 1.0, ValueError),
+    ("SpotLight()", "innerConeAngle", -0.1, ValueError),
+    ("SpotLight()", "outerConeAngle", 3.0, ValueError),
+    ("Material()", "alphaMode", "blend", ValueError),
+    ("Material()", "alphaCutoff", 1.5, ValueError),
+    ("Material()", "doubleSided", 1, TypeError),
+    ("Material()", "smooth", None, TypeError),
+    ("Material()", "wireframe", "yes", TypeError),
+    ("Material()", "normalTexture", "map.png", TypeError),
+    ("MetallicRoughnessMaterial()", "metallicFactor", 1.1, ValueError),
+    ("MetallicRoughnessMaterial()", "roughnessFactor", -0.1, ValueError),
+    ("MetallicRoughnessMaterial()", "baseColorTexture", [[1, 2], [3, 4]], TypeError),
+    ("SpecularGlossinessMaterial()", "glossinessFactor", 2.0, ValueError),
+    ("Primitive([[0, 0, 0]])", "normals", [0.0] * 10, ValueError),
+    ("Primitive([[0, 0, 0]])", "tangents", [[0.0] * 3], ValueError),
+    ("Primitive([[0, 0, 0]])", "texcoord_0", [[0.0]], ValueError),
+    ("Primitive([[0, 0, 0]])", "texcoord_1", [[0.0] * 3], ValueError),
+    ("Primitive([[0, 0, 0]])", "material", [1.0], TypeError),
+    ("Primitive([[0, 0, 0]])", "mode", 10, ValueError),
+    ("Primitive([[0, 0, 0]])", "poses", [[1, 0, 0], [0, 1, 0], [0, 0, 1]], ValueError),
+    ("Node()", "camera", "front", TypeError),
+    ("Node()", "mesh", "box", TypeError),
+    ("Node()", "light", 3.0, TypeError),
+    ("Node()", "rotation", [0, 0, 0, 2.0], ValueError),
+    ("Node()", "rotation", [0, 0, 1], ValueError),
+    ("Node()", "translation", [1, 2, 3, 4], ValueError),
+    ("Node()", "scale", 2.0, ValueError),
+    ("Node()", "matrix", [[1, 0, 0], [0, 1, 0], [0, 0, 1]], ValueError),
+    ("Node()", "matrix", [[5, 0, 0, 0], [0, 5, 0, 0], [0, 0, 5, 0], [0, 0, 0, 5]], ValueError),
+    ("Scene()", "bg_color", "white", ValueError),
+    ("Scene()", "main_camera_node", None, ValueError),
+]  # fmt: skip
+MODULES = {
+    "camera": "Camera PerspectiveCamera OrthographicCamera IntrinsicsCamera",
+    "constants": "RenderFlags TextAlign GLTF BufFlags TexFlags ProgramFlags DEFAULT_Z_NEAR DEFAULT_Z_FAR "
+    "DEFAULT_SCENE_SCALE MAX_N_LIGHTS FLOAT_SZ UINT_SZ SHADOW_TEX_SZ TEXT_PADDING MIN_OPEN_GL_MAJOR",
+    "light": "Light DirectionalLight PointLight SpotLight",
+    "material": "Material MetallicRoughnessMaterial SpecularGlossinessMaterial",
+    "mesh": "Mesh",
+    "node": "Node",
+    "offscreen": "OffscreenRenderer",
+    "primitive": "Primitive",
+    "renderer": "Renderer",
+    "sampler": "Sampler",
+    "scene": "Scene",
+    "texture": "Texture",
+    "trackball": "Trackball",
+    "utils": "format_color_vector format_color_array format_texture_source",
+    "version": "__version__",
+    "viewer": "Viewer",
+}
 
 
 class Visual:
@@ -283,33 +365,260 @@ class Pyrender(unittest.TestCase):
         self.assertEqual(draw(p.Mesh.from_trimesh(Box(), material=glass))[0][30, 40].tolist(), [128, 128, 128])
         self.assertEqual(count, 36)
 
+    # ---- a square of 2 x 2 m in the plane z = 0, seen from z = 3 ----
+
+    SQUARE = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
+
+    def square(self, material=None, **options):
+        options = {"normals": [[0, 0, 1.0]] * 4, "indices": [[0, 1, 2], [0, 2, 3]], **options}
+        return self.p.Primitive(self.SQUARE, texcoord_0=[[0, 0], [1, 0], [1, 1], [0, 1]], material=material, **options)
+
+    def seen(self, *primitives, light=None, **options):
+        """Returns a scene of a mesh of primitives, and its node."""
+        scene = self.p.Scene(**options)
+        node = scene.add(self.p.Mesh(list(primitives)))
+        scene.add(self.p.PerspectiveCamera(yfov=1.0), pose=pose(z=3))
+        if light:
+            scene.add(light, pose=pose(z=3))
+        return scene, node
+
+    def draw(self, scene, flags=0, nodes=None):
+        return self.p.OffscreenRenderer(64, 64, point_size=3).render(scene, flags, nodes)
+
+    def material(self, **options):
+        return self.p.MetallicRoughnessMaterial(**options)
+
     def test_textures(self):
-        """textures that are not drawn are named by a warning at the caller's line; depth and flat colours need none"""
+        """all textures of a material change its colour, by the shape of their channels, without a warning"""
+        p, half = self.p, numpy.full((2, 2), 100, "u1")
+        tilted = numpy.zeros((2, 2, 3), "u1") + numpy.uint8([220, 128, 220])
+        sun = p.DirectionalLight(intensity=2.0)
+
+        def color(**options):
+            material = self.material(baseColorFactor=[0.5, 0.5, 0.5, 1.0], metallicFactor=0.5, **options)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                return self.draw(self.seen(self.square(material), light=sun, ambient_light=[0.5] * 3)[0])[0][32, 32]
+
+        plain = color()
+        for name, image in (("baseColorTexture", half), ("occlusionTexture", half), ("normalTexture", tilted)):
+            self.assertTrue((color(**{name: image}) < plain - 4).all(), name)
+        self.assertTrue((color(emissiveTexture=half, emissiveFactor=[1.0, 1.0, 1.0]) > plain + 9).all())
+        shiny = color(metallicRoughnessTexture=numpy.dstack([half] * 3))
+        self.assertTrue((shiny != plain).all())
+        numpy.testing.assert_array_equal(color(metallicRoughnessTexture=numpy.dstack([half, half])), shiny)
+        with self.assertRaisesRegex(ValueError, "needs texcoord_0"):
+            self.draw(self.seen(p.Primitive(self.SQUARE, material=self.material(baseColorTexture=half)))[0])
+        gloss = p.SpecularGlossinessMaterial(diffuseFactor=[0.5, 0.5, 0.5, 1.0], glossinessFactor=0.2)
+        same = self.material(baseColorFactor=[0.5, 0.5, 0.5, 1.0], metallicFactor=0.0, roughnessFactor=0.8)
+        drawn = [self.draw(self.seen(self.square(one), light=sun)[0])[0] for one in (gloss, same)]
+        numpy.testing.assert_array_equal(*drawn)
+        gloss.specularGlossinessTexture = numpy.dstack([half] * 4)
+        with self.assertWarnsRegex(zraster.Warning, "specularGlossinessTexture: not drawn") as caught:
+            self.renderer.render(self.seen(self.square(gloss))[0])
+        self.assertEqual(caught.filename, __file__)
+
+    def test_channels(self):
+        """a texture has the channels that it is asked for; missing ones are 255, or an error"""
+        image = numpy.arange(2 * 2 * 4, dtype="u1").reshape(2, 2, 4)
+        grey, pair = image[:, :, 0], image[:, :, :2]
+        full = numpy.full_like(grey, 255)
+        for source, channels, wanted in (
+            (image, "R", grey), (image, "RG", pair), (image, "GB", image[:, :, 1:3]), (image, "RGB", image[:, :, :3]),
+            (image, "RGBA", image), (image[:, :, :3], "RGBA", numpy.dstack([image[:, :, :3], full])),
+            (grey, "RGB", numpy.dstack([grey] * 3)), (grey, "RGBA", numpy.dstack([grey, grey, grey, full])),
+            (grey, "GB", numpy.dstack([grey] * 2)), (pair, "GB", pair), (image / 255.0, "RGBA", image),
+        ):  # fmt: skip
+            found = self.p.Texture(source=source, source_channels=channels).source
+            numpy.testing.assert_allclose(found, wanted, atol=1, err_msg=channels)
+        for source, channels in ((pair, "RGB"), (pair, "RGBA"), (image, "BGR"), (image[None], "RGB")):
+            with self.assertRaises(ValueError):
+                self.p.Texture(source=source, source_channels=channels)
+        clear = self.material(alphaMode="BLEND", baseColorTexture=self.p.Texture(source=image, source_channels="RGB"))
+        self.assertFalse(clear.is_transparent)
+        self.assertEqual(self.draw(self.seen(self.square(clear))[0], self.p.RenderFlags.RGBA)[0][32, 32, 3], 255)
+
+    def test_blended_depth(self):
+        """blended surfaces have a depth, and one texel of alpha 254 changes no depth; the colour is blended"""
         p = self.p
-        image = numpy.full((2, 2, 3), 200, "u1")
-        names = ["normalTexture", "occlusionTexture", "emissiveTexture", "metallicRoughnessTexture"]
+        glass = self.material(alphaMode="BLEND", baseColorFactor=[1.0, 0, 0, 0.5])
+        wall = p.Primitive([[x, y, -1] for x, y, _ in self.SQUARE], indices=[[0, 1, 2], [0, 2, 3]],
+                           material=self.material(baseColorFactor=[0.0, 0, 1, 1]))  # fmt: skip
+        scene, _ = self.seen(wall, self.square(glass))
+        color, depth = self.draw(scene, p.RenderFlags.FLAT)
+        self.assertEqual((color[32, 32].tolist(), depth[32, 32]), ([128, 0, 128], 3))
+        numpy.testing.assert_array_equal(self.draw(scene, p.RenderFlags.DEPTH_ONLY), depth)
+        image = numpy.full((8, 8, 4), 255, "u1")
+        opaque = self.draw(self.seen(self.square(self.material(alphaMode="BLEND", baseColorTexture=image)))[0])[1]
+        image[0, 0, 3] = 254
+        texel = self.draw(self.seen(self.square(self.material(alphaMode="BLEND", baseColorTexture=image)))[0])[1]
+        numpy.testing.assert_array_equal(texel, opaque)
+        self.assertEqual(opaque[32, 32], 3)
 
-        def warned(flags, **textures):
-            scene = p.Scene()
-            scene.add(p.Mesh.from_trimesh(Box(), material=p.MetallicRoughnessMaterial(**textures)))
-            scene.add(p.PerspectiveCamera(yfov=1.0), pose=pose(z=3))
-            with warnings.catch_warnings(record=True) as caught:
-                warnings.simplefilter("always")
-                self.renderer.render(scene, flags)
-            self.assertTrue(all(one.filename == __file__ and one.category is zraster.Warning for one in caught))
-            return [str(one.message) for one in caught]
+    def test_masks(self):
+        """MASK cuts what is below alphaCutoff, in colours, depth and SEG"""
+        p, image = self.p, numpy.full((8, 8, 4), 255, "u1")
+        image[:, 4:, 3] = 100
+        scene, node = self.seen(self.square(self.material(alphaMode="MASK", baseColorTexture=image)), bg_color=[0.0] * 4)
+        drawn = [self.draw(scene, p.RenderFlags.RGBA), self.draw(scene, p.RenderFlags.RGBA | p.RenderFlags.FLAT)]
+        drawn += [self.draw(scene, p.RenderFlags.SEG | p.RenderFlags.RGBA, {node: 9})]
+        for color, depth in drawn:
+            self.assertEqual((depth[32, 20], depth[32, 44], color[32, 44, :3].any()), (3, 0, False))
+        self.assertEqual(drawn[0][0][32, 44, 3], 0)
+        node.mesh.primitives[0].material.alphaCutoff = 0.3
+        self.assertEqual(self.draw(scene)[1][32, 44], 3)
 
-        for name in names:
-            wanted = [f"{name}: not drawn; baseColorTexture is the only texture that is"]
-            self.assertEqual(warned(p.RenderFlags.NONE, **{name: image}), wanted)
-        every = dict.fromkeys(names, image)
-        self.assertEqual(len(warned(p.RenderFlags.NONE, **every)), 1)
-        self.assertTrue(
-            warned(p.RenderFlags.NONE, **every)[0].startswith("emissiveTexture, metallicRoughnessTexture, ")
+    def test_background(self):
+        """with RGBA, colours are in front of the background's colour, whatever its alpha: that of pixels without a mesh stays"""
+        p = self.p
+        for back in ([1.0, 1, 1, 0], [0.2, 0.4, 0.6, 0.0], [0.2, 0.4, 0.6, 0.5]):
+            scene, _ = self.seen(self.square(self.material(baseColorFactor=[0.0, 0, 0, 1])), bg_color=back)
+            scene.main_camera_node.matrix = pose(0.013, 0.021, 3)
+            bytes_of = numpy.rint(numpy.array(back) * 255).tolist()
+            color, _ = self.draw(scene, p.RenderFlags.RGBA)
+            self.assertEqual((color[0, 0].tolist(), color[32, 32].tolist()), (bytes_of, [0, 0, 0, 255]))
+            if back[3] == 0:  # the borders of the black square
+                coverage = color[:, :, 3:] / 255
+                numpy.testing.assert_allclose(color[:, :, :3], (1 - coverage) * bytes_of[:3], atol=2)
+                self.assertTrue(((coverage > 0.2) & (coverage < 0.8)).any())
+            self.assertEqual(self.draw(p.Scene(nodes=[p.Node(camera=p.PerspectiveCamera(1.0))], bg_color=back),
+                                       p.RenderFlags.RGBA)[0][0, 0].tolist(), bytes_of)  # fmt: skip
+
+    def test_lit_lines(self):
+        """wireframes, lines and points have the light of faces, and none without lights; FLAT shows their colour"""
+        p, flags = self.p, self.p.RenderFlags
+        lights = [p.DirectionalLight(intensity=1.0), p.PointLight(intensity=9.0), p.SpotLight(intensity=9.0)]
+        middle = [[-0.1, 0.0256, 0], [0.1, 0.0256, 0], [0, 0.1, 0], [0, -0.1, 0]]  # along the middles of pixels
+        color = [[0.7, 1.0, 1.0]] * 4
+        material = self.material(baseColorFactor=[0.9, 0.6, 0.3, 1.0], metallicFactor=0.4, roughnessFactor=0.7)
+        kinds = [(p.GLTF.TRIANGLES, flags.ALL_WIREFRAME), (p.GLTF.LINES, 0), (p.GLTF.POINTS, 0)]
+        for light in lights:
+            scene, _ = self.seen(self.square(material, color_0=color), light=light, ambient_light=[0.1, 0, 0.05])
+            wanted = self.draw(scene)[0][32, 32]
+            for mode, flag in kinds:
+                one = p.Primitive(middle, normals=[[0, 0, 1.0]] * 4, color_0=color, material=material, mode=mode)
+                scene, _ = self.seen(one, light=light, ambient_light=[0.1, 0, 0.05], bg_color=[0.0, 0, 0])
+                found = self.draw(scene, flag)[0].max(axis=(0, 1))
+                numpy.testing.assert_allclose(found.astype(int), wanted, atol=6, err_msg=f"{light} {mode}")
+                one.normals = None
+                facing = self.draw(scene, flag)[0].max(axis=(0, 1))
+                numpy.testing.assert_allclose(facing.astype(int), wanted, atol=6)
+                dark, _ = self.seen(one, bg_color=[0.0, 0, 0])
+                self.assertFalse(self.draw(dark, flag)[0].any())
+                flat = self.draw(dark, flag | flags.FLAT)[0].max(axis=(0, 1))
+                self.assertEqual(flat.tolist(), [161, 153, 76])
+
+    def test_lit_instances(self):
+        """instances of points are lit at their own places"""
+        p = self.p
+        poses = numpy.stack([pose(-0.5), pose(0.5)])
+        cloud = p.Primitive([[0, 0, 0]], mode=p.GLTF.POINTS, poses=poses)
+        scene, _ = self.seen(cloud, light=p.PointLight(intensity=1.0), bg_color=[0.0, 0, 0])
+        scene.set_pose(next(iter(scene.light_nodes)), pose(-0.5, 0, 0.5))
+        color = self.draw(scene)[0].max(axis=2)
+        self.assertGreater(color[:, :32].max(), color[:, 32:].max() + 50)
+
+    def test_setters(self):
+        """setters refuse values with the exceptions of pyrender, also in constructors, and keep good ones"""
+        for text, name, value, error in BAD_VALUES:
+            one = eval(f"self.p.{text}", {"self": self})
+            before = getattr(one, name)
+            with self.assertRaises(error, msg=f"{text}.{name} = {value}"):
+                setattr(one, name, value)
+            self.assertIs(type(getattr(one, name)), type(before))
+        for call in ("PerspectiveCamera()", "Camera()", "Mesh()", "Primitive()", "OrthographicCamera()"):
+            with self.assertRaises(TypeError, msg=call):
+                eval(f"self.p.{call}", {"self": self})
+        with self.assertRaises(ValueError):
+            self.p.Primitive([], mode=10)
+        material = self.material(name=7, baseColorFactor=255, metallicFactor=None)
+        self.assertEqual((material.name, material.metallicFactor), ("7", 1.0))
+        self.assertEqual(material.baseColorFactor.tolist(), [1, 1, 1, 1])
+
+    def test_modules(self):
+        """after install, code imports pyrender and its modules; objects of both names are the same"""
+        kept = {name: module for name, module in sys.modules.items() if name.split(".")[0] == "pyrender"}
+        try:
+            self.p.install()
+            for module, names in MODULES.items():
+                found = importlib.import_module("pyrender." + module)
+                for name in names.split():
+                    self.assertTrue(hasattr(found, name), f"{module}.{name}")
+                    self.assertIs(getattr(found, name), getattr(getattr(self.p, module), name))
+            self.assertIs(importlib.import_module("pyrender"), self.p)
+        finally:
+            for name in [name for name in sys.modules if name.split(".")[0] == "pyrender"]:
+                del sys.modules[name]
+            sys.modules.update(kept)
+
+    def test_script(self):
+        """python3 -m zraster.pyrender runs a script as it is, with its arguments and its folder"""
+        text = (
+            "import sys, helper, pyrender\nfrom pyrender.constants import RenderFlags\n"
+            "print(sys.argv[1:], helper.SIZE, RenderFlags.SEG, pyrender.OffscreenRenderer(2, 3).viewport_height)\n"
         )
-        for flags in (p.RenderFlags.DEPTH_ONLY, p.RenderFlags.FLAT, p.RenderFlags.SEG):
-            self.assertEqual(warned(flags, **every), [])
-        self.assertEqual(warned(p.RenderFlags.NONE), [])
+        with tempfile.TemporaryDirectory() as folder:
+            for name, content in (("script.py", text), ("helper.py", "SIZE = 5\n")):
+                with open(os.path.join(folder, name), "w") as file:
+                    file.write(content)
+            command = [sys.executable, "-m", "zraster.pyrender"]
+            ran = subprocess.run([*command, os.path.join(folder, "script.py"), "-x"], capture_output=True, text=True)
+            self.assertEqual((ran.stdout, ran.returncode), ("['-x'] 5 8192 3\n", 0), ran.stderr)
+            ran = subprocess.run(command, capture_output=True, text=True)
+            self.assertEqual((ran.returncode, "usage" in ran.stderr), (1, True))
+
+    def test_empty(self):
+        """meshes without primitives, faces or points are drawn as nothing, and have no part in bounds"""
+        p, scene = self.p, self.p.Scene()
+        empty = Box()
+        empty.vertices, empty.faces = numpy.zeros((0, 3)), numpy.zeros((0, 3), int)
+        meshes = [p.Mesh([]), p.Mesh.from_trimesh(empty), p.Mesh.from_trimesh(empty, smooth=False)]
+        meshes += [p.Mesh.from_points(numpy.zeros((0, 3))), p.Mesh([p.Primitive([[0, 0, 0]], mode=mode)
+                   for mode in (p.GLTF.LINES, p.GLTF.LINE_STRIP, p.GLTF.TRIANGLE_STRIP, p.GLTF.TRIANGLE_FAN)])]  # fmt: skip
+        for mesh in meshes:
+            scene.add(mesh)
+        scene.add(p.PerspectiveCamera(yfov=1.0), pose=pose(z=3))
+        color, depth = self.renderer.render(scene)
+        self.assertTrue((color == 255).all() and not depth.any())
+        self.assertFalse(scene.bounds.any())
+        scene.add(p.Mesh.from_trimesh(Box()))
+        numpy.testing.assert_array_equal(scene.bounds, [[-0.5] * 3, [0.5] * 3])
+
+    def test_visibility(self):
+        """is_visible hides a mesh; copies of a material keep later changes apart"""
+        material = self.material(baseColorFactor=[1.0, 0, 0, 1])
+        mesh = self.p.Mesh.from_trimesh(Box(), material=material)
+        material.baseColorFactor = [0.0, 1, 0, 1]
+        self.assertEqual(mesh.primitives[0].material.baseColorFactor.tolist(), [1, 0, 0, 1])
+        scene = self.p.Scene()
+        scene.add(mesh)
+        scene.add(self.p.PerspectiveCamera(yfov=1.0), pose=pose(z=3))
+        mesh.is_visible = False
+        self.assertFalse(self.draw(scene)[1].any())
+        mesh.is_visible = True
+        self.assertTrue(self.draw(scene)[1].any())
+
+    def test_trackball(self):
+        """drags turn, roll, move and zoom the camera around the target"""
+        ball = self.p.Trackball(pose(0, 0, 5), (640, 480), 2.0, numpy.array([0.0, 0, 1]))
+        ball.down((100, 100))
+        ball.drag((100, 100))
+        numpy.testing.assert_allclose(ball.pose, pose(0, 0, 5))
+        ball.drag((100 + 0.3 * 480 * math.pi / 2, 100))  # a quarter turn about y
+        numpy.testing.assert_allclose(ball.pose[:3, 3], [-4, 0, 1], atol=1e-12)
+        ball.down((0, 0))
+        for state, length in ((ball.STATE_ROTATE, 4), (ball.STATE_ROLL, 4), (ball.STATE_ZOOM, 4 * (2 - math.exp(-0.25)))):
+            ball.set_state(state)
+            ball.drag((-37, -60))
+            self.assertAlmostEqual(numpy.linalg.norm(ball.pose[:3, 3] - [0, 0, 1]), length)
+        ball.set_state(ball.STATE_PAN)
+        ball.drag((36, 0))  # 36 / (1.5 * 480) of the scale, against the x axis of the camera, which is z
+        numpy.testing.assert_allclose(ball.pose[:3, 3], [-4, 0, 0.9], atol=1e-12)
+        ball = self.p.Trackball(pose(0, 0, 5), (640, 480), 2.0)
+        ball.scroll(2)
+        self.assertAlmostEqual(ball.pose[2, 3], 5 * 0.81)
+        ball.rotate(math.pi, axis=[0, 1, 0])
+        numpy.testing.assert_allclose(ball.pose[:3, 3], [0, 0, -5 * 0.81], atol=1e-12)
 
     def test_scene(self):
         """nodes have parents, poses, names and bounds"""

@@ -1,101 +1,21 @@
-"""Primitives and meshes. Arrays are converted once, when they are set."""
+"""Meshes."""
 from __future__ import annotations
 
+import copy
 from typing import Any, List, Optional
 
 import numpy as np
 
+from ._checks import Checked, text
 from .constants import GLTF
 from .material import Material, MetallicRoughnessMaterial
-
-
-def _floats(value: Any) -> Any:
-    return None if value is None else np.ascontiguousarray(value, np.float32)
-
-
-def _colors(value: Any, count: int) -> Any:
-    """Returns (n, 4) floats of one colour or of n colours. Integers are 0..255."""
-    array = np.asarray(value)
-    if np.issubdtype(array.dtype, np.integer):
-        array = array / 255.0
-    if array.ndim == 1:
-        array = np.tile(array, (count, 1))
-    missing = np.ones((len(array), max(0, 4 - array.shape[1])))
-    return np.hstack([array, missing])[:, :4].astype(np.float32)
-
-
-class Primitive:
-    """Triangles, lines or points, with one material.
-
-    positions: (n, 3); normals: (n, 3); texcoord_0: (n, 2), v up; color_0: (n, 3) or (n, 4)
-    indices: (m, 3), or flat; poses: (k, 4, 4), one for each instance
-    """
-
-    def __init__(self, positions: Any, normals: Any = None, tangents: Any = None, texcoord_0: Any = None,
-                 texcoord_1: Any = None, color_0: Any = None, joints_0: Any = None, weights_0: Any = None,
-                 indices: Any = None, material: Optional[Material] = None, mode: Optional[int] = None,
-                 targets: Any = None, poses: Any = None):  # fmt: skip
-        self.positions, self.normals, self.tangents = _floats(positions), _floats(normals), _floats(tangents)
-        self.texcoord_0, self.texcoord_1 = _floats(texcoord_0), _floats(texcoord_1)
-        self.color_0 = None if color_0 is None else _colors(color_0, len(self.positions))
-        self.joints_0, self.weights_0, self.targets = joints_0, weights_0, targets
-        self.indices = None if indices is None else np.ascontiguousarray(indices, np.uint32)
-        self.material = MetallicRoughnessMaterial() if material is None else material
-        if not isinstance(self.material, Material):
-            raise TypeError("material: a Material expected")
-        self.mode = GLTF.TRIANGLES if mode is None else int(mode)
-        if not GLTF.POINTS <= self.mode <= GLTF.TRIANGLE_FAN:
-            raise ValueError("invalid mode")
-        self.poses = None if poses is None else np.asarray(poses, np.float32).reshape(-1, 4, 4)
-
-    @property
-    def bounds(self) -> Any:
-        """(2, 3): the corners of the box around all instances."""
-        low, high = self.positions.min(axis=0), self.positions.max(axis=0)
-        if self.poses is None:
-            return np.array([low, high])
-        corners = np.array([[(low, high)[i >> k & 1][k] for k in range(3)] for i in range(8)])
-        placed = np.einsum("kij,cj->kci", self.poses[:, :3, :3], corners) + self.poses[:, None, :3, 3]
-        return np.array([placed.min(axis=(0, 1)), placed.max(axis=(0, 1))])
-
-    @property
-    def centroid(self) -> Any:
-        return self.bounds.mean(axis=0)
-
-    @property
-    def extents(self) -> Any:
-        return self.bounds[1] - self.bounds[0]
-
-    @property
-    def scale(self) -> Any:
-        return np.linalg.norm(self.extents)
-
-    @property
-    def is_transparent(self) -> bool:
-        return self.material.alphaMode == "BLEND"
-
-    def items(self) -> Any:
-        """Returns faces, lines or points, the key of a mesh, and the indices."""
-        order = np.arange(len(self.positions), dtype=np.uint32) if self.indices is None else self.indices.reshape(-1)
-        if self.mode == GLTF.POINTS:
-            return "points", order
-        if self.mode in (GLTF.LINES, GLTF.LINE_STRIP, GLTF.LINE_LOOP):
-            if self.mode == GLTF.LINES:
-                return "lines", order[: len(order) // 2 * 2].reshape(-1, 2)
-            after = np.roll(order, -1)
-            count = len(order) if self.mode == GLTF.LINE_LOOP else len(order) - 1
-            return "lines", np.stack([order, after], axis=1)[:count]
-        if self.mode == GLTF.TRIANGLES:
-            return "faces", order[: len(order) // 3 * 3].reshape(-1, 3)
-        first, second = (order[:-2], order[1:-1]) if self.mode == GLTF.TRIANGLE_STRIP else (order[:1], order[1:-1])
-        faces = np.stack(np.broadcast_arrays(first, second, order[2:]), axis=1)
-        if self.mode == GLTF.TRIANGLE_STRIP:
-            faces[1::2, :2] = faces[1::2, 1::-1]
-        return "faces", faces
+from .primitive import Primitive
 
 
 class Mesh:
-    """A list of primitives."""
+    """A list of primitives. Those that are not visible are not drawn."""
+
+    name = Checked(text)
 
     def __init__(self, primitives: List[Primitive], name: Optional[str] = None, weights: Any = None,
                  is_visible: bool = True):  # fmt: skip
@@ -103,7 +23,8 @@ class Mesh:
 
     @property
     def bounds(self) -> Any:
-        boxes = np.array([primitive.bounds for primitive in self.primitives])
+        """(2, 3): the corners of the box around all primitives; inf and -inf without positions."""
+        boxes = np.array([[[np.inf] * 3, [-np.inf] * 3], *(primitive.bounds for primitive in self.primitives)])
         return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
 
     centroid, extents, scale = Primitive.centroid, Primitive.extents, Primitive.scale
@@ -122,7 +43,7 @@ class Mesh:
     @staticmethod
     def from_trimesh(mesh: Any, material: Optional[Material] = None, is_visible: bool = True, poses: Any = None,
                      wireframe: bool = False, smooth: bool = True) -> "Mesh":  # fmt: skip
-        """Makes a mesh of a trimesh, or of a list of them. smooth: normals of vertices, else of faces."""
+        """Makes a mesh of a trimesh, or of a list of them. material: copied. smooth: normals of vertices, else of faces."""
         meshes = list(mesh) if isinstance(mesh, (list, tuple, set, np.ndarray)) else [mesh]
         for one in meshes:
             if not hasattr(one, "vertices") or not hasattr(one, "faces"):
@@ -142,9 +63,10 @@ def _material_of(visual: Any) -> Optional[Material]:
         return given
     if hasattr(given, "metallicFactor"):
         names = ("normalTexture", "occlusionTexture", "emissiveTexture", "emissiveFactor", "baseColorFactor",
-                 "baseColorTexture", "metallicFactor", "roughnessFactor", "metallicRoughnessTexture", "doubleSided",
+                 "baseColorTexture", "metallicFactor", "roughnessFactor", "metallicRoughnessTexture",
                  "alphaCutoff")  # fmt: skip
-        return MetallicRoughnessMaterial(alphaMode="BLEND", **{name: getattr(given, name) for name in names})
+        values = {name: getattr(given, name) for name in names}
+        return MetallicRoughnessMaterial(alphaMode="BLEND", doubleSided=bool(given.doubleSided), **values)
     glossiness = np.ravel(given.kwargs.get("Ns", 1.0))[0]
     return MetallicRoughnessMaterial(
         alphaMode="BLEND", roughnessFactor=float((2 / (glossiness + 2)) ** 0.25), baseColorFactor=given.diffuse,
@@ -152,8 +74,15 @@ def _material_of(visual: Any) -> Optional[Material]:
     )  # fmt: skip
 
 
+def _copy_of(material: Material) -> Material:
+    """Returns a copy that shares the textures."""
+    return copy.deepcopy(material, {id(texture): texture for texture in material.textures})
+
+
 def _primitive_of(mesh: Any, material: Optional[Material], poses: Any, wireframe: bool, smooth: bool) -> Primitive:
     faces = np.asarray(mesh.faces)
+    if not len(faces):
+        return Primitive(np.zeros((0, 3)), material=material and _copy_of(material), poses=poses)
 
     def corners(values: Any) -> Any:
         return np.asarray(values) if smooth else np.asarray(values)[faces].reshape(3 * len(faces), -1)
@@ -172,11 +101,8 @@ def _primitive_of(mesh: Any, material: Optional[Material], poses: Any, wireframe
         material = material or _material_of(visual)
     if material is None:
         material = _default([0.3, 0.3, 0.3, 1.0] if colors is None else [1.0, 1.0, 1.0, 1.0])
-    if material.wireframe != wireframe:
-        import copy
-
-        material = copy.copy(material)
-        material.wireframe = wireframe
+    material = _copy_of(material)
+    material.wireframe = wireframe
     try:
         normals = mesh.vertex_normals if smooth else np.repeat(mesh.face_normals, 3, axis=0)
     except ImportError:  # trimesh averages normals by scipy; without it, the renderer does

@@ -1,105 +1,28 @@
-"""Nodes and scenes."""
+"""Scenes."""
 from __future__ import annotations
 
 from typing import Any, Dict, List, Optional, Set
 
 import numpy as np
 
+from ._checks import Checked, or_default, text
 from .camera import Camera
-from .light import DirectionalLight, Light, PointLight, SpotLight, format_color_vector
+from .light import DirectionalLight, Light, PointLight, SpotLight
 from .mesh import Mesh
-
-
-def _rotation(quaternion: Any) -> Any:
-    x, y, z, w = quaternion
-    return np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ])  # fmt: skip
-
-
-def _quaternion(rotation: Any) -> Any:
-    m = rotation
-    terms = np.array(
-        [m[0, 0] - m[1, 1] - m[2, 2], m[1, 1] - m[0, 0] - m[2, 2], m[2, 2] - m[0, 0] - m[1, 1], np.trace(m)]
-    )
-    i = int(terms.argmax())
-    if i == 3:
-        q = np.array([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1], 1 + terms[3]])
-    else:
-        j, k = (i + 1) % 3, (i + 2) % 3
-        q = np.zeros(4)
-        q[i], q[j], q[k], q[3] = 1 + terms[i], m[j, i] + m[i, j], m[k, i] + m[i, k], m[k, j] - m[j, k]
-    return q / np.linalg.norm(q)
-
-
-class Node:
-    """A place in a scene, with a mesh, camera or light. matrix: (4, 4), or rotation (x, y, z, w), scale, translation."""
-
-    def __init__(self, name: Optional[str] = None, camera: Optional[Camera] = None,
-                 children: Optional[List["Node"]] = None, skin: Any = None, matrix: Any = None,
-                 mesh: Optional[Mesh] = None, rotation: Any = None, scale: Any = None, translation: Any = None,
-                 weights: Any = None, light: Optional[Light] = None):  # fmt: skip
-        self.name, self.camera, self.children, self.skin = name, camera, children or [], skin
-        self.mesh, self.weights, self.light = mesh, weights, light
-        self._matrix = np.eye(4)
-        if matrix is not None:
-            self.matrix = matrix
-        else:
-            self._compose([0, 0, 0, 1] if rotation is None else rotation, 1 if scale is None else scale,
-                          0 if translation is None else translation)  # fmt: skip
-
-    def _compose(self, rotation: Any, scale: Any, translation: Any) -> None:
-        rotation = np.asarray(rotation, np.float64)
-        if rotation.shape != (4,) or abs(np.linalg.norm(rotation) - 1) > 1e-3:
-            raise ValueError("rotation: a quaternion (x, y, z, w) of length 1 expected")
-        self._matrix = np.eye(4)
-        self._matrix[:3, :3] = _rotation(rotation) * np.broadcast_to(scale, 3)
-        self._matrix[:3, 3] = translation
-
-    @property
-    def matrix(self) -> Any:
-        return self._matrix.copy()
-
-    @matrix.setter
-    def matrix(self, value: Any) -> None:
-        self._matrix = np.array(value, np.float64)
-        if self._matrix.shape != (4, 4):
-            raise ValueError("matrix: (4, 4) expected")
-
-    @property
-    def translation(self) -> Any:
-        return self._matrix[:3, 3].copy()
-
-    @translation.setter
-    def translation(self, value: Any) -> None:
-        self._matrix[:3, 3] = value
-
-    @property
-    def scale(self) -> Any:
-        return np.linalg.norm(self._matrix[:3, :3], axis=0)
-
-    @scale.setter
-    def scale(self, value: Any) -> None:
-        self._compose(self.rotation, value, self.translation)
-
-    @property
-    def rotation(self) -> Any:
-        return _quaternion(self._matrix[:3, :3] / self.scale)
-
-    @rotation.setter
-    def rotation(self, value: Any) -> None:
-        self._compose(value, self.scale, self.translation)
+from .node import Node
+from .primitive import corners
+from .utils import format_color_vector
 
 
 class Scene:
     """A tree of nodes. bg_color: (4,); ambient_light: (3,), linear light."""
 
+    name = Checked(text)
+    bg_color = Checked(or_default(np.ones(4), lambda _, value: format_color_vector(value, 4)))
+    ambient_light = Checked(or_default(np.zeros(3), lambda _, value: format_color_vector(value, 3)))
+
     def __init__(self, nodes: Any = None, bg_color: Any = None, ambient_light: Any = None, name: Optional[str] = None):
-        self.bg_color = np.ones(4) if bg_color is None else bg_color
-        self.ambient_light = np.zeros(3) if ambient_light is None else ambient_light
-        self.name = name
+        self.bg_color, self.ambient_light, self.name = bg_color, ambient_light, name
         self._parents: Dict[Node, Optional[Node]] = {}
         self._main_camera_node: Optional[Node] = None
         children = [child for node in nodes or () for child in node.children]
@@ -108,22 +31,6 @@ class Scene:
         for node in nodes or ():
             if node not in children:
                 self.add_node(node)
-
-    @property
-    def bg_color(self) -> Any:
-        return self._bg_color
-
-    @bg_color.setter
-    def bg_color(self, value: Any) -> None:
-        self._bg_color = format_color_vector(np.ones(4) if value is None else value, 4)
-
-    @property
-    def ambient_light(self) -> Any:
-        return self._ambient_light
-
-    @ambient_light.setter
-    def ambient_light(self, value: Any) -> None:
-        self._ambient_light = format_color_vector(np.zeros(3) if value is None else value, 3)
 
     # ---- sets ----
 
@@ -240,12 +147,9 @@ class Scene:
 
     @property
     def bounds(self) -> Any:
-        corners = []
-        for node in self.mesh_nodes:
-            box, pose = node.mesh.bounds, self.get_pose(node)
-            local = np.array([[box[i >> k & 1][k] for k in range(3)] for i in range(8)])
-            corners.append(local @ pose[:3, :3].T + pose[:3, 3])
-        every = np.vstack(corners) if corners else np.zeros((1, 3))
+        boxes = [(node.mesh.bounds, self.get_pose(node)) for node in self.mesh_nodes]
+        placed = [corners(box) @ pose[:3, :3].T + pose[:3, 3] for box, pose in boxes if np.isfinite(box).all()]
+        every = np.vstack(placed) if placed else np.zeros((1, 3))
         return np.array([every.min(axis=0), every.max(axis=0)])
 
     centroid, extents, scale = Mesh.centroid, Mesh.extents, Mesh.scale
