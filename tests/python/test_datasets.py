@@ -173,7 +173,7 @@ class Bop(unittest.TestCase):
     def test_refused(self):
         """cameras and poses that BOP has not are refused"""
         squeezed = [{"name": "a", "mesh": "cube", "scale": [1, 1, 2]}]
-        flat = {**SCENE, "view": {"preset": "front"}}
+        flat = {**SCENE, "view": {"preset": "front", "orthographic": {}}}
         lens = {"preset": "front", "perspective": {"yfovDegrees": 40}, "distortion": {"model": "opencv", "k": [0.01]}}
         cases = [
             ({**SCENE, "nodes": squeezed}, {"orbit": {"count": 2}}, "stretched"),
@@ -187,6 +187,26 @@ class Bop(unittest.TestCase):
             with self.subTest(words), tempfile.TemporaryDirectory() as folder:
                 with self.assertRaisesRegex(zraster.Error, words):
                     bop.write(folder, scene, **options)
+
+
+    def test_default_perspective(self):
+        """scenes without a projection, and Scenes, give the data set of the dict with a perspective of 45 degrees"""
+        bare = {key: value for key, value in SCENE.items() if key != "view"}
+        options = {"orbit": {"count": 2}, "objects": {"long": 1, "cube": 2, "floor": 3}}
+        wide = {**bare, "view": {"perspective": {"yfovDegrees": 45}}}
+        arrays = {**bare, "meshes": [{**mesh, "positions": numpy.repeat(mesh["positions"], 3, axis=0)} for mesh in bare["meshes"]]}
+        for mesh in arrays["meshes"]:
+            mesh["faces"] = [[3 * corner for corner in face] for face in mesh["faces"]]
+        sources = [bare, {**bare, "view": {}}, zraster.Scene(bare), zraster.Scene(arrays)]
+        sources.append(zraster.Scene(bare, renderer=zraster.Renderer(threads=1)))
+        with tempfile.TemporaryDirectory() as folder:
+            wanted = files_of(zraster.bop.write(os.path.join(folder, "wanted"), wide, **options))
+            for number, source in enumerate(sources):
+                self.assertEqual(files_of(zraster.bop.write(os.path.join(folder, f"{number}"), source, **options)), wanted, number)
+            self.assertTrue(zraster.coco.write(os.path.join(folder, "coco"), sources[2], orbit={"count": 2}))
+            model = zraster.Scene(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", type="obj")
+            with self.assertRaisesRegex(zraster.OptionError, "a Scene of a model: give its path instead"):
+                zraster.bop.write(os.path.join(folder, "refused"), model, **options)
 
 
 def files_of(folder):

@@ -7,6 +7,7 @@
 """
 from __future__ import annotations
 
+import importlib as _importlib
 import warnings as _warnings
 from typing import Any, Mapping, Optional
 
@@ -37,6 +38,15 @@ __all__ = [
 ]  # fmt: skip
 
 __version__: str = _library.library.version().decode()
+
+
+_MODULES = ("bop", "coco", "mujoco", "pyrender", "trimesh")  # loaded once they are named
+
+
+def __getattr__(name: str) -> Any:
+    if name in _MODULES:
+        return _importlib.import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def rules() -> int:

@@ -1,6 +1,7 @@
 """Scenes that are read once and drawn many times."""
 from __future__ import annotations
 
+import json
 import warnings
 from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
@@ -150,6 +151,14 @@ class Scene:
             return request.merged(query, keys).draw(given_or_shared(renderer), cancel)
 
         return Views(names, is_turn, channels, draw)
+
+    def _source(self) -> Tuple[Any, Dict[str, Any], Optional[Renderer]]:
+        """Returns the scene as a dict, with its parts and its renderer, for requests of their own."""
+        request, renderer, _ = self._state
+        if request.source.is_mesh:
+            raise OptionError("a Scene of a model: give its path instead")
+        merged = request.merged({}, request.keys)
+        return json.loads(merged.body), merged.parts.named, renderer
 
     def close(self) -> None:
         """Frees the scene; its pictures stay valid."""

@@ -16,7 +16,8 @@ from . import _library as c
 from . import _neighbours
 from ._errors import OptionError, Warning, expect, raise_status
 from ._renderer import Cancel, Renderer, given_or_shared
-from ._request import Call, Request, make
+from ._request import Call, Request, make, view_of
+from ._scene import Scene
 from ._source import read
 
 Rows = List[List[float]]
@@ -102,7 +103,12 @@ class _Drawing:
 
 
 def _scene_of(source: Any, options: Dict[str, Any]) -> Any:
-    """Returns a scene for the name of a file: its own, or one of the model in the look studio."""
+    """Returns a scene for the name of a file, its own, or one of the model in the look studio; and for a Scene, its dict."""
+    if isinstance(source, Scene):
+        scene, parts, renderer = source._source()
+        options["parts"] = {**parts, **(options.get("parts") or {})}
+        options.setdefault("renderer", renderer)
+        return scene
     if not isinstance(source, (str, os.PathLike)):
         return source
     path, found = os.fspath(source), read(source, None)
@@ -117,14 +123,42 @@ def _scene_of(source: Any, options: Dict[str, Any]) -> Any:
     return {"look": "studio", "meshes": [{"asset": name}]}
 
 
-def stream(source: Any, outputs: Any, options: Dict[str, Any]) -> Iterator[Drawn]:
-    """Draws the views of a request: views, orbit, turntable or animate, a few ahead of the caller. Memory does not grow
-    with their number."""
-    options = dict(options)
+_PROJECTIONS = {"perspective", "orthographic", "intrinsics", "K", "projectionMatrix", "camera"}  # of a view
+_DEFAULT_PROJECTION = {"yfovDegrees": 45}
+
+
+def _with_pinhole(scene: Any, options: Dict[str, Any]) -> Any:
+    """Returns a scene with a perspective, if neither it nor the options choose a projection or a look, which has one."""
+    if not isinstance(scene, MappingClass) or options.get("look") or "look" in scene:
+        return scene
+    place = scene if options.get("view") is None else options
+    view = view_of(place.get("view", {}))
+    if not isinstance(view, MappingClass) or not _PROJECTIONS.isdisjoint(view):
+        return scene
+    changed = {**place, "view": {**view, "perspective": _DEFAULT_PROJECTION}}
+    if place is scene:
+        return changed
+    options.update(changed)
+    return scene
+
+
+def _request_of(source: Any, outputs: Any, options: Dict[str, Any], needs_pinhole: bool) -> Tuple[Request, Renderer]:
     scene = _scene_of(source, options)
-    parts, renderer, size = options.pop("parts", None), options.pop("renderer", None), options.pop("size", None)
+    parts, renderer, size = (options.pop(name, None) for name in ("parts", "renderer", "size"))
     expect(not isinstance(scene, (bytes, bytearray, memoryview)), "source", "a scene, a path or a mesh", scene)
-    drawing = _Drawing(make(scene, outputs, size, parts, options), given_or_shared(renderer))
+    if needs_pinhole:
+        scene = _with_pinhole(scene, options)
+    return make(scene, outputs, size, parts, options), given_or_shared(renderer)
+
+
+def stream(source: Any, outputs: Any, options: Dict[str, Any], needs_pinhole: bool = False) -> Iterator[Drawn]:
+    """Draws the views of a request: views, orbit, turntable or animate, a few ahead of the caller. Memory does not grow
+    with their number.
+
+    needs_pinhole: a scene without a projection and a look gets a perspective
+    """
+    options = dict(options)
+    drawing = _Drawing(*_request_of(source, outputs, options, needs_pinhole))
     try:
         yield from drawing
     finally:
@@ -183,7 +217,7 @@ def draw(
     source: Any, outputs: List[Dict[str, Any]], options: Dict[str, Any], needs_pinhole: bool = True
 ) -> Iterator[View]:
     """Draws all views of a data set. Masks as json are added to the outputs, and those as zip are unpacked."""
-    for drawn in stream(source, [*outputs, {"channel": "masks", "encoding": "json"}], options):
+    for drawn in stream(source, [*outputs, {"channel": "masks", "encoding": "json"}], options, needs_pinhole):
         files = dict(drawn.files)
         masks = json.loads(files.pop("masks.json"))
         if "masks.zip" in files:

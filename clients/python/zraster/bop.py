@@ -35,12 +35,12 @@ def write(
     the scene. Pictures of an earlier data set there are removed, once the first view is drawn; its three lists are
     replaced at the end.
 
-    scene: a scene as a dict, the path of a scene or a model, or an object with vertices and faces
+    scene: a scene as a dict, a Scene, the path of a scene or a model, or an object with vertices and faces
     objects: obj_id by the names of nodes or meshes; others are drawn and not listed. Default: meshes, from 1 on
     unit: millimetres per unit of the scene; 1000: the scene is in metres
     depth_scale: millimetres per step of the depth pictures, which end at 65535 steps
     options: one of views, orbit, turntable and animate, and others as for `render`, such as size=(640, 480). Cameras have
-        a perspective or intrinsics
+        a perspective or intrinsics. Scenes without a projection and a look get a perspective of 45 degrees
 
     px_count_valid counts pixels of the silhouette that have a depth: all of them, since pictures have no noise. A scale of
     a node is part of its object: the model is the mesh with that scale.

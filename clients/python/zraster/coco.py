@@ -28,7 +28,7 @@ def write(
     """Draws views and writes their pictures and annotations, each as soon as it is drawn. Returns the path of the file.
     Pictures of an earlier data set there are removed, once the first view is drawn; its file is replaced at the end.
 
-    scene: a scene as a dict, the path of a scene or a model, or an object with vertices and faces
+    scene: a scene as a dict, a Scene, the path of a scene or a model, or an object with vertices and faces
     categories: numbers by the names of nodes or meshes; others are drawn and not listed. Default: meshes, from 1 on
     segmentation: "rle", the exact mask as compressed run lengths; or "polygons", its outlines along the edges of pixels,
         without holes
