@@ -61,6 +61,7 @@ struct zr_encode_input *zr_encode_input_make(struct zr_arena *arena, const struc
     if (!made) return NULL;
     made->scene = (struct zr_scene){.look = scene->look,
                                     .background = scene->background,
+                                    .parts = {.explode = scene->parts.explode},
                                     .picture = zr_arena_copy(arena, scene->picture, sizeof *scene->picture),
                                     .mesh_count = scene->mesh_count,
                                     .instance_count = scene->instance_count,

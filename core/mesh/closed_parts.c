@@ -24,6 +24,18 @@ struct finding {
     use *uses;
     atomic_uchar *closed;
     const struct zr_shell_forest *forest; /* NULL: shells are not counted */
+    struct odd *odd;                      /* with shells: per part, open and flipped edges */
+};
+
+/* Edges of a part that are used more often in one direction. */
+struct odd {
+    _Atomic uint32_t count;
+    _Atomic uint64_t least; /* of the face and the slot of its corner where such an edge ends; UINT64_MAX: none */
+};
+
+/* An edge of welded vertices, low < high. */
+struct edge {
+    uint32_t low, high;
 };
 
 static uint32_t part_of(const struct finding *f, uint32_t face)
@@ -107,8 +119,34 @@ static uint32_t face_of(use edge)
     return (uint32_t)(edge >> 1) & INT32_MAX;
 }
 
+/* Returns the slot of the corner of a face where an edge ends. */
+static uint32_t slot_of(const struct finding *f, uint32_t face, struct edge edge)
+{
+    const struct zr_rings rings = zr_mesh_rings(f->mesh, face);
+    for (uint32_t r = 0; r < rings.count; r++) {
+        uint32_t from = f->vertices[f->mesh->indices[rings.offsets[r + 1] - 1]];
+        for (uint32_t i = rings.offsets[r]; i < rings.offsets[r + 1]; i++) {
+            const uint32_t to = f->vertices[f->mesh->indices[i]];
+            if ((from < to ? from : to) == edge.low && (from < to ? to : from) == edge.high) return i;
+            from = to;
+        }
+    }
+    return rings.offsets[0];
+}
+
+static void note_odd(const struct finding *f, struct odd *odd, uint32_t face, struct edge edge)
+{
+    atomic_fetch_add_explicit(&odd->count, 1, memory_order_relaxed);
+    uint64_t least = atomic_load_explicit(&odd->least, memory_order_relaxed);
+    if (least >> 32 < face) return;
+    const uint64_t own = (uint64_t)face << 32 | slot_of(f, face, edge);
+    while (own < least && !atomic_compare_exchange_weak_explicit(&odd->least, &least, own, memory_order_relaxed,
+                                                                 memory_order_relaxed)) {
+    }
+}
+
 /* Marks the part and the shell if they use the edge more often in one direction. All uses are those of one part. */
-static void check_edge(const struct finding *f, const use *uses, uint32_t count)
+static void check_edge(const struct finding *f, const use *uses, uint32_t count, struct edge edge)
 {
     uint32_t upwards = 0;
     for (uint32_t i = 0; i < count; i++)
@@ -117,11 +155,13 @@ static void check_edge(const struct finding *f, const use *uses, uint32_t count)
         zr_shell_forest_join(f->forest, face_of(uses[i - 1]), face_of(uses[i]));
     if (2 * (uint64_t)upwards == count) return;
     atomic_store_explicit(&f->closed[part_of(f, face_of(*uses))], 0, memory_order_relaxed);
-    if (f->forest) atomic_store_explicit(&f->forest->is_open[face_of(*uses)], 1, memory_order_relaxed);
+    if (!f->forest) return;
+    atomic_store_explicit(&f->forest->is_open[face_of(*uses)], 1, memory_order_relaxed);
+    note_odd(f, &f->odd[2 * (size_t)part_of(f, face_of(*uses)) + (count % 2 == 0)], face_of(*uses), edge);
 }
 
 /* Checks the uses of one edge. With several parts, sorts them by part. */
-static void check_parts(const struct finding *f, use *uses, uint32_t count)
+static void check_parts(const struct finding *f, use *uses, uint32_t count, struct edge edge)
 {
     if (f->mesh->face_parts) {
         for (uint32_t i = 0; i < count; i++)
@@ -131,17 +171,17 @@ static void check_parts(const struct finding *f, use *uses, uint32_t count)
     for (uint32_t i = 0, next; i < count; i = next) {
         for (next = i + 1; next < count && uses[next] >> 32 == uses[i] >> 32; next++) {
         }
-        check_edge(f, uses + i, next - i);
+        check_edge(f, uses + i, next - i, edge);
     }
 }
 
-static void check_list(const struct finding *f, use *uses, uint32_t count)
+static void check_list(const struct finding *f, use *uses, uint32_t count, uint32_t low)
 {
     zr_sort_u64(uses, count);
     for (uint32_t i = 0, next; i < count; i = next) {
         for (next = i + 1; next < count && uses[next] >> 32 == uses[i] >> 32; next++) {
         }
-        check_parts(f, uses + i, next - i);
+        check_parts(f, uses + i, next - i, (struct edge){low, (uint32_t)(uses[i] >> 32)});
     }
 }
 
@@ -150,7 +190,7 @@ static void check_range(void *context, size_t begin, size_t end)
     const struct finding *f = context;
     if (zr_is_cancelled(f->cancel)) return;
     for (size_t v = begin; v < end; v++)
-        check_list(f, f->uses + f->ends[v], f->ends[v + 1] - f->ends[v]);
+        check_list(f, f->uses + f->ends[v], f->ends[v + 1] - f->ends[v], (uint32_t)v);
 }
 
 /* ---- all steps ---- */
@@ -174,7 +214,8 @@ struct rooms {
     zr_vec4 *positions;
     uint64_t *rest;
     uint32_t *vertices, *ends;
-    struct zr_shell_forest forest; /* if shells are counted */
+    struct odd *odd;               /* if shells are counted */
+    struct zr_shell_forest forest; /* likewise */
     atomic_uchar *closed;
 };
 
@@ -185,13 +226,16 @@ static bool make_rooms(struct zr_arena *arena, const struct zr_mesh *mesh, uint3
     const size_t positions = mesh->position_count, corners = mesh->face_offsets[mesh->face_count];
     const size_t welding = zr_weld_room(mesh->position_count), copied = extent->needs_copy ? positions : 0;
     const size_t rest = welding > corners ? welding : corners;
-    rooms->size = copied * sizeof *rooms->positions + rest * sizeof *rooms->rest + positions * sizeof *rooms->vertices +
-                  (positions + 1) * sizeof *rooms->ends + faces * sizeof *rooms->forest.parents +
-                  faces * sizeof *rooms->forest.is_open + parts * sizeof *rooms->closed;
+    const size_t odd = has_shells ? 2 * (size_t)parts : 0;
+    rooms->size = odd * sizeof *rooms->odd + copied * sizeof *rooms->positions + rest * sizeof *rooms->rest +
+                  positions * sizeof *rooms->vertices + (positions + 1) * sizeof *rooms->ends +
+                  faces * sizeof *rooms->forest.parents + faces * sizeof *rooms->forest.is_open +
+                  parts * sizeof *rooms->closed;
     rooms->all = zr_arena_alloc(arena, rooms->size, 1);
     if (!rooms->all) return false;
     rooms->positions = (zr_vec4 *)(void *)rooms->all;
-    rooms->rest = (uint64_t *)(void *)(rooms->positions + copied);
+    rooms->odd = (struct odd *)(void *)(rooms->positions + copied);
+    rooms->rest = (uint64_t *)(void *)(rooms->odd + odd);
     rooms->vertices = (uint32_t *)(void *)(rooms->rest + rest);
     rooms->ends = rooms->vertices + positions;
     rooms->forest.mesh = mesh;
@@ -200,7 +244,17 @@ static bool make_rooms(struct zr_arena *arena, const struct zr_mesh *mesh, uint3
     rooms->closed = rooms->forest.is_open + faces;
     for (uint32_t p = 0; p < parts; p++)
         atomic_init(&rooms->closed[p], 0);
+    for (size_t i = 0; i < odd; i++) {
+        atomic_init(&rooms->odd[i].count, 0);
+        atomic_init(&rooms->odd[i].least, UINT64_MAX);
+    }
     return true;
+}
+
+static struct zr_odd_edges odd_edges_of(const struct odd *odd)
+{
+    return (struct zr_odd_edges){atomic_load_explicit(&odd->count, memory_order_relaxed),
+                                 (uint32_t)atomic_load_explicit(&odd->least, memory_order_relaxed)};
 }
 
 bool zr_closed_parts_find(const struct zr_run *run, const struct zr_mesh *mesh, uint8_t *closed,
@@ -220,12 +274,17 @@ bool zr_closed_parts_find(const struct zr_run *run, const struct zr_mesh *mesh, 
                         .vertices = rooms.vertices,
                         .ends = rooms.ends,
                         .closed = rooms.closed,
-                        .forest = shells ? &rooms.forest : NULL};
+                        .forest = shells ? &rooms.forest : NULL,
+                        .odd = rooms.odd};
     f.vertex_count = zr_weld_make(run->team, run->cancel, &input, rooms.rest, rooms.vertices);
     f.uses = rooms.rest;
     if (f.vertex_count > 0) find(run->team, &f);
     if (shells && !zr_is_cancelled(run->cancel))
         zr_shells_count(&rooms.forest, run->cancel, (double *)(void *)rooms.rest, shells);
+    for (uint32_t p = 0; shells && p < parts; p++) {
+        shells[p].open_edges = odd_edges_of(&rooms.odd[2 * (size_t)p]);
+        shells[p].flipped_edges = odd_edges_of(&rooms.odd[2 * (size_t)p + 1]);
+    }
     for (uint32_t p = 0; p < parts; p++)
         closed[p] = atomic_load_explicit(&rooms.closed[p], memory_order_relaxed);
     zr_arena_trim(run->arena, rooms.all, rooms.size, 0, 1);

@@ -383,17 +383,62 @@ static void find_wall(struct zr_arena *arena, const struct measuring *m, const s
     facts->least_wall = zr_least_wall_find(arena, m->cancel, &faces, steps);
 }
 
+/* Returns the corner before another one in the ring of a face. */
+static uint32_t slot_before(const struct zr_mesh *mesh, uint32_t slot)
+{
+    const uint32_t *ends = mesh->face_rings ? mesh->ring_offsets : mesh->face_offsets;
+    uint32_t low = 0, high = mesh->face_rings ? mesh->face_rings[mesh->face_count] : mesh->face_count;
+    while (high - low > 1) {
+        const uint32_t middle = low + (high - low) / 2;
+        if (ends[middle] <= slot)
+            low = middle;
+        else
+            high = middle;
+    }
+    return slot > ends[low] ? slot - 1 : ends[low + 1] - 1;
+}
+
+static struct zr_edge_facts edges_of(const struct measuring *m, const struct zr_part *part, struct zr_odd_edges odd)
+{
+    const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
+    const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
+    struct zr_edge_facts edges = {.count = odd.count};
+    struct zr_world_place from, to;
+    if (odd.count == 0) return edges;
+    zr_world_place_of(matrix, mesh->positions[mesh->indices[slot_before(mesh, odd.at)]], &from);
+    zr_world_place_of(matrix, mesh->positions[mesh->indices[odd.at]], &to);
+    edges.at[0] = 0.5 * (from.x + to.x);
+    edges.at[1] = 0.5 * (from.y + to.y);
+    edges.at[2] = 0.5 * (from.z + to.z);
+    return edges;
+}
+
+/* All faces of a part, or all lines and points of a mesh without faces, are hidden alike (scene/parts/part_edit.h). */
+static bool is_hidden(const struct measuring *m, const struct zr_part *part)
+{
+    const struct zr_mesh *mesh = &m->scene->meshes[part->mesh];
+    const struct sorted_mesh *sorted = &m->meshes[part->mesh];
+    const uint32_t begin = begin_of(sorted, part->number);
+    if (begin < end_of(sorted, mesh, part->number))
+        return zr_material_of_face(m->scene, mesh, face_of(sorted, begin))->is_hidden;
+    return !mesh->face_parts && m->scene->materials[mesh->material].is_hidden;
+}
+
 static struct zr_part_facts facts_of(const struct measuring *m, const struct zr_part *part, struct sums *sums)
 {
     const zr_mat4 *matrix = &m->scene->instances[part->instance].object_to_world;
     const uint64_t colors = add_vertices(m, part, sums);
     const double weight = sums->area > 0.0 ? sums->area : colors > 0 ? (double)colors : 1.0;
     const double *color = sums->area > 0.0 ? sums->color : sums->plain_color;
-    struct zr_part_facts facts = {.has_box = sums->min[0] <= sums->max[0],
+    const struct zr_shells *shells = &m->meshes[part->mesh].shells[part->number];
+    struct zr_part_facts facts = {.is_hidden = is_hidden(m, part),
+                                  .has_box = sums->min[0] <= sums->max[0],
                                   .triangles = sums->triangles,
                                   .area = sums->area,
                                   .is_closed = m->meshes[part->mesh].closed[part->number] && !sums->is_lost};
-    facts.shells = shells_of(&m->meshes[part->mesh].shells[part->number], sums->is_lost);
+    facts.shells = shells_of(shells, sums->is_lost);
+    facts.open_edges = edges_of(m, part, shells->open_edges);
+    facts.flipped_edges = edges_of(m, part, shells->flipped_edges);
     facts.color = (zr_vec3){clamped(color[0] / weight), clamped(color[1] / weight), clamped(color[2] / weight)};
     if (facts.is_closed) facts.volume = zr_mat4_is_mirror(matrix) ? 0.0 - sums->volume : sums->volume + 0.0;
     facts.has_overlap = sums->has_excess;

@@ -27,16 +27,24 @@ enum { ZR_FACES_PER_TASK = 4096 };
 /* Steps of the search for least walls (mesh/least_wall.h): for all parts together, and for each of their faces. */
 enum { ZR_WALL_STEPS_MIN = 1 << 23, ZR_WALL_STEPS = 48 };
 
+/* Edges of a part that is not closed, and the middle of one, in world space. */
+struct zr_edge_facts {
+    uint32_t count;
+    double at[3];
+};
+
 struct zr_part_facts {
-    bool has_box; /* false: no face, line or point */
+    bool is_hidden; /* nothing of it is drawn */
+    bool has_box;   /* false: no face, line or point */
     zr_vec3 min, max;
     uint64_t triangles; /* sum over its faces: corners - 2, plus 2 per hole */
     double area;
-    bool is_closed;          /* by the rule of mesh/closed_parts.h */
-    struct zr_shells shells; /* open if a face has a corner beyond the range of float */
-    double volume;           /* if closed; negative if all its faces are turned inside out */
-    bool has_overlap;        /* its shells overlap or are turned against one another: the volume is that of rays */
-    double volume_error;     /* then */
+    bool is_closed;                                 /* by the rule of mesh/closed_parts.h */
+    struct zr_shells shells;                        /* open if a face has a corner beyond the range of float */
+    struct zr_edge_facts open_edges, flipped_edges; /* shells.h */
+    double volume;                                  /* if closed; negative if all its faces are turned inside out */
+    bool has_overlap;    /* its shells overlap or are turned against one another: the volume is that of rays */
+    double volume_error; /* then */
     bool has_center;
     double center[3];                /* centre of mass of the volume, if closed and the volume is not 0 */
     struct zr_least_wall least_wall; /* of a closed part whose volume is not 0 */

@@ -14,8 +14,16 @@
 #include "core.h"
 #include "scene/scene.h"
 
+/* Edges that keep a part from being closed. */
+struct zr_odd_edges {
+    uint32_t count;
+    uint32_t at; /* slot of a corner in mesh->indices: one of them ends there; the one of the lowest face */
+};
+
 struct zr_shells {
     uint32_t outward, inward, flat, open;
+    struct zr_odd_edges open_edges;    /* used by an odd number of faces */
+    struct zr_odd_edges flipped_edges; /* by an even number, more often in one direction: a face there is flipped */
 };
 
 /* Each face has a parent, of a lower number or itself; the root of a tree is the first face of its shell. */

@@ -218,6 +218,15 @@ static void print_shells(struct zr_print *print, const struct zr_shells *shells)
     zr_print_end(print, '}');
 }
 
+static void print_edges(struct zr_print *print, const char *key, const struct zr_edge_facts *edges)
+{
+    if (edges->count == 0) return;
+    zr_print_begin(print, key, '{');
+    zr_print_count(print, "count", edges->count);
+    zr_print_doubles(print, "at", edges->at, 3);
+    zr_print_end(print, '}');
+}
+
 /* The id equals the value of the channel instanceId as long as all meshes before it are one part. */
 static void print_part(struct zr_print *print, const struct zr_frame_parts *parts, uint32_t number)
 {
@@ -227,6 +236,7 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
     zr_print_string(print, "name", parts->list.at[number].name);
     zr_print_count(print, "id", (uint64_t)number + 1);
     if (instance != number) zr_print_count(print, "instanceId", (uint64_t)instance + 1);
+    if (facts->is_hidden) zr_print_bool(print, "hidden", true);
     if (facts->has_box)
         print_box(print, "box", facts->min, facts->max);
     else
@@ -249,6 +259,8 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
     if (facts->least_wall.is_omitted) zr_print_bool(print, "leastWallOmitted", true);
     zr_print_bool(print, "closed", facts->is_closed);
     print_shells(print, &facts->shells);
+    print_edges(print, "openEdges", &facts->open_edges);
+    print_edges(print, "flippedEdges", &facts->flipped_edges);
     if (parts->cap_areas) zr_print_double(print, "capArea", parts->cap_areas[number]);
     if (parts->pixels) zr_print_count(print, "pixels", parts->pixels[number]);
     print_color(print, facts->color);
@@ -275,6 +287,7 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
     zr_camera_print(print, frame, scene->picture->z_is_up);
     print_file(print, scene);
     if (scene->origin) zr_print_doubles(print, "origin", scene->origin, 3);
+    if (scene->parts.explode != 0.0) zr_print_double(print, "explode", scene->parts.explode);
     if (!frame->bounds.valid) return;
     print_box(print, "bounds", frame->bounds.min, frame->bounds.max);
 }

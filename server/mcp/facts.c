@@ -45,8 +45,9 @@ static cJSON *make_box(const cJSON *bounds)
 
 static cJSON *make_part(const cJSON *part)
 {
-    static const char *const keys[] = {"name",   "id",     "triangles", "area",         "volume", "volumeError",
-                                       "closed", "shells", "leastWall", "centerOfMass", "color",  "pixels"};
+    static const char *const keys[] = {"name",         "id",          "hidden",       "triangles", "area",
+                                       "volume",       "volumeError", "closed",       "shells",    "openEdges",
+                                       "flippedEdges", "leastWall",   "centerOfMass", "color",     "pixels"};
     cJSON *made = cJSON_CreateObject();
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         copy(made, part, keys[i]);
@@ -65,20 +66,28 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
     const cJSON *parts = mcp_get(info, "parts"), *part;
     const double omitted = mcp_number_of(info, "partsOmitted");
     double area = 0, volume = 0, error = 0, shells[SHELL_KINDS] = {0};
-    bool is_closed = cJSON_GetArraySize(parts) > 0; /* as far as the parts are listed */
+    bool is_closed = true; /* as far as the parts are listed */
+    double hidden = 0;
     mcp_facts_add_unit(content, info);
     mcp_add(content, "box", make_box(mcp_get(info, "bounds")));
     cJSON *list = cJSON_CreateArray();
     cJSON_ArrayForEach(part, parts)
     {
+        if (cJSON_GetArraySize(list) < PARTS_MAX) mcp_append(list, make_part(part));
+        if (cJSON_IsTrue(mcp_get(part, "hidden"))) {
+            hidden++;
+            continue;
+        }
         area += mcp_number_of(part, "area");
         volume += mcp_number_of(part, "volume");
         error += mcp_number_of(part, "volumeError");
         is_closed = is_closed && cJSON_IsTrue(mcp_get(part, "closed"));
         for (int i = 0; i < SHELL_KINDS; i++)
             shells[i] += mcp_number_of(mcp_get(part, "shells"), SHELLS[i]);
-        if (cJSON_GetArraySize(list) < PARTS_MAX) mcp_append(list, make_part(part));
     }
+    is_closed = is_closed && cJSON_GetArraySize(parts) > hidden;
+    if (hidden > 0) cJSON_AddNumberToObject(content, "partsHidden", hidden);
+    copy(content, info, "explode");
     mcp_add(content, "volume", is_closed && omitted == 0 ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
     if (is_closed && omitted == 0 && error > 0) cJSON_AddNumberToObject(content, "volumeError", error);
     mcp_add(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
@@ -229,6 +238,19 @@ static void describe_volume(struct mcp_text *text, const char *between, const cJ
     mcp_text_print(text, " %s^3", unit);
 }
 
+/* Writes what keeps a part from being closed. */
+static void describe_open(struct mcp_text *text, const cJSON *part)
+{
+    static const char *const kinds[][2] = {{"openEdges", "open"}, {"flippedEdges", "flipped"}};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        const cJSON *edges = mcp_get(part, kinds[i][0]), *at = mcp_get(edges, "at");
+        const double count = mcp_number_of(edges, "count");
+        if (count > 0)
+            mcp_text_print(text, "%s %.0f %s edge%s, one at (%.6g, %.6g, %.6g)", i > 0 ? "," : ":", count, kinds[i][1],
+                           count == 1 ? "" : "s", mcp_number_at(at, 0), mcp_number_at(at, 1), mcp_number_at(at, 2));
+    }
+}
+
 /* Returns true if parts differ in colour. */
 static bool have_colors(const cJSON *parts)
 {
@@ -244,12 +266,15 @@ static void describe_part(struct mcp_text *text, const cJSON *part, const char *
     mcp_text_print(text, "\n- part %.0f '", mcp_number_of(part, "id"));
     mcp_text_line(text, cJSON_IsString(name) ? name->valuestring : "", NAME_MAX_BYTES);
     mcp_text_put(text, "': ");
+    if (cJSON_IsTrue(mcp_get(part, "hidden"))) mcp_text_put(text, "hidden, ");
     describe_box(text, mcp_get(part, "box"), unit);
     mcp_text_print(text, ", %.0f triangle%s", triangles, triangles == 1 ? "" : "s");
     if (cJSON_IsNumber(volume))
         describe_volume(text, ", ", part, unit);
-    else
+    else {
         mcp_text_put(text, ", not closed");
+        describe_open(text, part);
+    }
     describe_shells(text, mcp_get(part, "shells"));
     if (has_color && mcp_get(part, "color")) mcp_text_print(text, ", color %s", mcp_get(part, "color")->valuestring);
 }
@@ -268,9 +293,14 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
         mcp_text_put(text, "; area, volume and closedness are not known: more than 1000 parts");
     else
         mcp_text_put(text, "; not closed, so there is no volume");
+    if (cJSON_GetArraySize(parts) == 1 && cJSON_IsFalse(mcp_get(content, "closed")))
+        describe_open(text, cJSON_GetArrayItem(parts, 0));
     describe_shells(text, mcp_get(content, "shells"));
     const int count = cJSON_GetArraySize(parts) + (int)mcp_number_of(content, "partsOmitted");
     mcp_text_print(text, "; %d part%s", count, count == 1 ? "" : "s");
+    const double hidden = mcp_number_of(content, "partsHidden");
+    if (hidden > 0) mcp_text_print(text, ", %.0f of them hidden: box and sums are of the others", hidden);
+    if (mcp_get(content, "explode")) mcp_text_put(text, "; exploded: boxes and places are of the moved parts");
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");
     const bool has_colors = have_colors(parts);
     cJSON_ArrayForEach(part, parts)

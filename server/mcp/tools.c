@@ -23,6 +23,7 @@ const char mcp_instructions[] =
     "open: the rest.\"}"
 #define SHELLS       "{\"type\":\"object\"" SHELL_COUNTS
 #define MAYBE_SHELLS "{\"type\":[\"object\",\"null\"]" SHELL_COUNTS
+#define EDGES        "{\"type\":\"object\",\"properties\":{\"count\":{\"type\":\"integer\"},\"at\":" VECTOR "}}"
 #define FACTS                                                                                                          \
     "\"units\":{\"type\":[\"string\",\"null\"],\"description\":\"Unit of lengths; null: the format names none.\"},"    \
     "\"box\":" BOX                                                                                                     \
@@ -34,11 +35,14 @@ const char mcp_instructions[] =
     "directions. null: not known, of more than 1000 parts; volume, area and shells are null, too.\"},"                 \
     "\"shells\":" MAYBE_SHELLS                                                                                         \
     ",\"parts\":{\"type\":\"array\",\"items\":{\"type\":\"object\",\"required\":[\"name\",\"id\",\"box\",\"closed\"]," \
-    "\"properties\":{\"name\":" TEXT ",\"id\":{\"type\":\"integer\"},\"box\":" BOX                                     \
+    "\"properties\":{\"name\":" TEXT ",\"id\":{\"type\":\"integer\"},\"hidden\":{\"type\":\"boolean\"},\"box\":" BOX   \
     ",\"triangles\":{\"type\":\"integer\"},\"area\":" NUMBER ",\"volume\":" MAYBE_NUMBER ",\"volumeError\":" NUMBER    \
-    ",\"closed\":{\"type\":\"boolean\"},\"shells\":" SHELLS ",\"leastWall\":" MAYBE_NUMBER                             \
-    ",\"centerOfMass\":" MAYBE_VECTOR ",\"color\":" TEXT                                                               \
+    ",\"closed\":{\"type\":\"boolean\"},\"openEdges\":" EDGES ",\"flippedEdges\":" EDGES ",\"shells\":" SHELLS         \
+    ",\"leastWall\":" MAYBE_NUMBER ",\"centerOfMass\":" MAYBE_VECTOR ",\"color\":" TEXT                                \
     ",\"pixels\":{\"type\":\"integer\"}}}},\"partsOmitted\":{\"type\":\"integer\"},"                                   \
+    "\"partsHidden\":{\"type\":\"integer\",\"description\":\"Parts that hide or isolate hides; box and sums are of "   \
+    "the others.\"},"                                                                                                  \
+    "\"explode\":{\"type\":\"number\",\"description\":\"Parts are measured where moved.\"},"                           \
     "\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}"
 #define FACTS_REQUIRED "\"units\",\"box\",\"volume\",\"area\",\"closed\",\"shells\",\"parts\",\"warnings\""
 #define VIEW                                                                                                           \

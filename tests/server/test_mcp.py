@@ -358,6 +358,31 @@ class Http(unittest.TestCase):
         self.assertEqual(content["box"]["max"], [1, 1, 2])  # z stays z
         self.assertEqual(self.call("facts", scene={"polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]})["structuredContent"]["area"], 0.5)
 
+    def test_facts_of_shown_parts(self):
+        """facts of a scene that hides or moves parts are those of what is shown, and say so"""
+        corners = "0 3 2 1 4 5 6 7 0 1 5 4 2 3 7 6 0 4 7 3 1 2 6 5".split()
+        text = ""
+        for number, x in enumerate((0, 4.5, 9)):
+            text += f"o part{number}\n"
+            text += "".join(f"v {x + a} {b} {c}\n" for c in (0, 1) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)))
+            text += "".join("f " + " ".join(str(8 * number + 1 + int(c)) for c in corners[i:i + 4]) + "\n" for i in range(0, 24 if x else 20, 4))
+        for scene, box, volume, area, hidden in (
+            ({"isolate": ["part1"]}, [4.5, 5.5], 1, 6, 2),
+            ({"hide": ["part0"]}, [4.5, 10], 2, 12, 1),
+            ({"isolate": ["part*"], "hide": ["part2", "part1"]}, [0, 1], None, 5, 2),
+            ({"ghost": ["part1"]}, [0, 10], None, 17, None),
+            ({"explode": 1}, [-4.5, 14.5], None, 17, None),
+        ):
+            result = self.daemon.call("facts", model={"text": text}, scene=scene)
+            content, words = result["structuredContent"], result["content"][0]["text"]
+            self.assertEqual([content["box"]["min"][0], content["box"]["max"][0]], box, scene)
+            self.assertEqual((content["volume"], content["area"], content.get("partsHidden")), (volume, area, hidden), scene)
+            self.assertEqual(content.get("explode"), scene.get("explode"))
+            self.assertEqual(hidden is not None, "of them hidden" in words, words)
+            self.assertEqual("exploded" in words, "explode" in scene, words)
+            self.assertEqual(content["parts"][0]["openEdges"]["count"], 4)
+            self.assertIn("not closed: 4 open edges, one at (", words)
+
     def test_units(self):
         """Units are those of the format"""
         corners = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)

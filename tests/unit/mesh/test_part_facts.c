@@ -542,6 +542,34 @@ TEST_AROUND(what_is_inside_counts_once, open_arena, close_arena)
         }
 }
 
+TEST_AROUND(odd_edges_are_counted_with_a_place, open_arena, close_arena)
+{
+    static const struct {
+        uint32_t faces; /* of the cube; the last one ends at z = 1 */
+        bool is_flipped;
+        uint32_t open, flipped;
+        double at[3];
+    } cases[] = {{6, false, 0, 0, {0}}, {5, false, 4, 0, {12, 0.5, 0}}, {6, true, 0, 4, {11, 0, 0}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        uint32_t indices[24];
+        begin(1, 1);
+        placed.meshes[0] = cube();
+        placed.meshes[0].face_count = cases[i].faces;
+        memcpy(indices, cube_indices, sizeof indices);
+        for (int k = 0; cases[i].is_flipped && k < 4; k++)
+            indices[k] = cube_indices[3 - k];
+        placed.meshes[0].indices = indices;
+        placed.instances[0].object_to_world = (zr_mat4){{2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 10, 0, 0, 1}};
+        const struct zr_part_facts *facts = find_facts(NULL);
+        assert_int_equal(facts->is_closed, i == 0);
+        const struct zr_edge_facts *edges = cases[i].open > 0 ? &facts->open_edges : &facts->flipped_edges;
+        if (facts->open_edges.count != cases[i].open || facts->flipped_edges.count != cases[i].flipped ||
+            memcmp(edges->at, cases[i].at, sizeof edges->at) != 0)
+            fail_msg("case %zu: %u open, %u flipped, %g %g %g", i, facts->open_edges.count, facts->flipped_edges.count,
+                     edges->at[0], edges->at[1], edges->at[2]);
+    }
+}
+
 /* Random pairs of boxes against the formula: the error is within the stated one. */
 TEST_AROUND(volumes_of_random_overlaps_are_within_their_error, open_arena, close_arena)
 {

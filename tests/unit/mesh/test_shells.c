@@ -237,6 +237,7 @@ TEST_AROUND(shells_are_those_of_a_plain_search, open_arena, close_arena)
                 fail_msg("round %d, part %d: %u closed, %u open; not %u, %u", round, p, closed, found[p].open,
                          wanted[p][0], wanted[p][1]);
             assert_int_equal(is_closed[p], closed > 0 && found[p].open == 0);
+            assert_int_equal(found[p].open > 0, found[p].open_edges.count + found[p].flipped_edges.count > 0);
             closed_count += closed;
             several += closed + found[p].open > 1;
         }

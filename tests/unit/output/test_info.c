@@ -204,15 +204,15 @@ TEST_AROUND(pixels_are_counted_for_each_part, open_arena, close_arena)
         "\"closed\":false,\"shells\":{\"outward\":0,\"inward\":0,\"open\":0},\"pixels\":0,\"color\":\"#000000\"},"
         "{\"name\":\"left\",\"id\":2,\"instanceId\":1,\"box\":{\"min\":[-1,-1,0],\"max\":[0,0,0]},\"triangles\":1,"
         "\"area\":0.5,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,\"closed\":false,\"shells\":{"
-        "\"outward\":0,\"inward\":0,\"open\":1},\"pixels\":28,"
+        "\"outward\":0,\"inward\":0,\"open\":1},\"openEdges\":{\"count\":3,\"at\":[-1,-0.5,0]},\"pixels\":28,"
         "\"color\":\"#ff8000\"},"
         "{\"name\":\"right\",\"id\":3,\"instanceId\":1,\"box\":{\"min\":[0,-1,0],\"max\":[1,0,0]},\"triangles\":1,"
         "\"area\":0.5,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,\"closed\":false,\"shells\":{"
-        "\"outward\":0,\"inward\":0,\"open\":1},\"pixels\":28,"
+        "\"outward\":0,\"inward\":0,\"open\":1},\"openEdges\":{\"count\":3,\"at\":[0,-0.5,0]},\"pixels\":28,"
         "\"color\":\"#ff8000\"},"
         "{\"name\":\"above\",\"id\":4,\"instanceId\":2,\"box\":{\"min\":[-1,0,0],\"max\":[1,1,0]},\"triangles\":2,"
         "\"area\":1,\"volume\":null,\"centerOfMass\":null,\"leastWall\":null,\"closed\":false,\"shells\":{\"outward\":"
-        "0,\"inward\":0,\"open\":2},\"pixels\":64,\"color\":"
+        "0,\"inward\":0,\"open\":2},\"openEdges\":{\"count\":6,\"at\":[-1,0.5,0]},\"pixels\":64,\"color\":"
         "\"#ff8000\"}],";
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {0, -1, 0, 1}, {-1, 0, 0, 1}, {0, -1, 0, 1}, {1, -1, 0, 1}, {0, 0, 0, 1}};
     static const uint32_t face_parts[2] = {1, 2}, line[2] = {2, 5};
