@@ -43,8 +43,8 @@ enum { ZR_TEXTURES_MAX = 4096 };
 /* Largest width and height of an image: floats must hold texel coordinates. */
 enum { ZR_TEXTURE_SIDE_MAX = 1 << 16 };
 
-/* Largest magnitude of a texture coordinate, given or transformed: floats must resolve texels of the largest image. */
-#define ZR_TEXCOORD_MAX 1e4f
+/* Largest magnitude of a texture coordinate and of a number of its transform: that of any finite float. */
+#define ZR_TEXCOORD_MAX 0x1.fffffep127f
 
 struct zr_texture {
     uint32_t image;    /* number in the scene */

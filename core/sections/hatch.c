@@ -3,6 +3,9 @@
 /* Texels per line and gap; those of the line; and its shade, which multiplies the colour of the part. */
 enum { PERIOD = 64, INK = 10, SHADE = 96 };
 
+/* Largest distance from the first corner of a face, in lines, at which floats resolve them. */
+#define FROM_MAX 1e4
+
 uint32_t zr_hatch_texture(const struct zr_scene *scene)
 {
     return scene->texture_count + 1;
@@ -81,6 +84,6 @@ void zr_hatch_put(const struct zr_mesh *mesh, uint32_t face, const zr_mat4 *obje
         const double u = along(object_to_world, mesh->positions[mesh->indices[i]], direction);
         if (i == mesh->face_offsets[face]) whole = floor(u);
         const double from = u - whole;
-        texcoords[mesh->indices[i]] = (zr_vec4){fabs(from) < (double)ZR_TEXCOORD_MAX ? (float)from : 0.0f, 0, 0, 0};
+        texcoords[mesh->indices[i]] = (zr_vec4){fabs(from) < FROM_MAX ? (float)from : 0.0f, 0, 0, 0};
     }
 }

@@ -9,6 +9,7 @@
 #include "scene/camera/camera.h"
 #include "shade/colors.h"
 #include "shade/eye_normals.h"
+#include "shade/texcoords.h"
 
 struct making {
     const struct zr_run *run;
@@ -32,6 +33,8 @@ struct making {
     const zr_vec4 *normals[ZR_RATE_CORNER + 1];
     const zr_vec4 *texcoords; /* transformed by texcoords_of; that NULL: as in the mesh */
     const struct zr_texture *texcoords_of;
+    unsigned repeat;         /* of `texcoords` */
+    bool is_far;             /* the mesh's coordinates */
     const zr_vec4 *tangents; /* in eye space; NULL: not made */
 };
 
@@ -254,31 +257,20 @@ static bool is_textured(const struct making *m, const struct zr_draw *draw)
                               : draw->material->textures[ZR_TEXTURE_BASE_COLOR] > 0);
 }
 
-/* Writes texture coordinates, transformed for `texture`; NULL: as in the mesh. */
-static void put_texcoords(const struct zr_mesh *mesh, const struct zr_texture *texture, zr_vec4 *out)
-{
-    for (uint32_t i = 0; i < mesh->position_count; i++) {
-        const zr_vec4 given = mesh->texcoords[i];
-        float in_image[2];
-        out[i] = given;
-        if (!texture) continue;
-        zr_texture_transform(texture, texture->texcoord == 0 ? given.x : given.z,
-                             texture->texcoord == 0 ? given.y : given.w, in_image);
-        out[i] = (zr_vec4){in_image[0], in_image[1], 0.0f, 0.0f};
-    }
-}
-
 static bool find_texcoords(struct making *m, const struct zr_draw *draw, struct zr_attribute *out)
 {
     const uint32_t own = m->mesh->position_count, base = draw->material->textures[ZR_TEXTURE_BASE_COLOR];
     const struct zr_texture *texture = m->wants->samples ? NULL : &m->scene->textures[base - 1];
-    if (!m->texcoords || m->texcoords_of != texture) {
+    if (!m->texcoords) m->is_far = m->wants->samples && zr_texcoords_are_far(m->mesh);
+    const unsigned repeat = m->is_far ? zr_texcoords_repeat(m->scene, draw->material) : 0;
+    if (!m->texcoords || m->texcoords_of != texture || m->repeat != repeat) {
         zr_vec4 *made = zr_arena_alloc(m->run->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
         if (!made) return false;
-        put_texcoords(m->mesh, texture, made);
+        zr_texcoords_put(m->mesh, texture, repeat, made);
         extend(m, ZR_RATE_VERTEX, own, made);
         m->texcoords = made;
         m->texcoords_of = texture;
+        m->repeat = repeat;
     }
     *out = (struct zr_attribute){ZR_RATE_VERTEX, m->texcoords};
     return true;

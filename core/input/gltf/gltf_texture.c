@@ -182,7 +182,11 @@ static const struct zr_json_field transform_fields[] = {
                 .low = -(double)ZR_TEXCOORD_MAX,
                 .high = (double)ZR_TEXCOORD_MAX},
     [ROTATION] = {.key = "rotation", .read = zr_json_number, .offset = AT(rotation), .low = -1e6, .high = 1e6},
-    [SCALE] = {.key = "scale", .read = zr_json_float2, .offset = AT(scale), .low = -1000, .high = 1000},
+    [SCALE] = {.key = "scale",
+               .read = zr_json_float2,
+               .offset = AT(scale),
+               .low = -(double)ZR_TEXCOORD_MAX,
+               .high = (double)ZR_TEXCOORD_MAX},
     [TEXCOORD] = {.key = "texCoord", .read = zr_json_whole, .offset = AT(texcoord)},
     ZR_GLTF_COMMON};
 #undef AT

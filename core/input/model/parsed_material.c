@@ -32,6 +32,21 @@ int zr_wrap_of_number(uint32_t number)
     return find_number(zr_wrap_numbers, ZR_WRAP_COUNT, number);
 }
 
+/* Products of coordinates and transforms stay finite up to this magnitude. Offsets beyond OFFSET_NEAR lose their whole
+ * repeats, an even number of them. */
+#define NUMBER_MAX  1e12
+#define OFFSET_NEAR 1e4
+
+static double offset_of(double offset, enum zr_wrap wrap)
+{
+    return wrap == ZR_WRAP_CLAMP || fabs(offset) <= OFFSET_NEAR ? offset : fmod(offset, 2.0);
+}
+
+static float clamp_number(double v)
+{
+    return (float)(v < -NUMBER_MAX ? -NUMBER_MAX : v > NUMBER_MAX ? NUMBER_MAX : v);
+}
+
 /* Scales, then rotates, then translates the coordinates. Source: KHR_texture_transform. */
 void zr_parsed_put_transform(const struct zr_parsed_texture *given, struct zr_texture *texture)
 {
@@ -39,11 +54,11 @@ void zr_parsed_put_transform(const struct zr_parsed_texture *given, struct zr_te
     double sine, cosine;
     zr_sine_cosine(given->rotation * to_degrees, &sine, &cosine);
     const double x = (double)given->scale[0], y = (double)given->scale[1];
-    const double rows[2][3] = {{cosine * x, sine * y, (double)given->offset[0]},
-                               {-sine * x, cosine * y, (double)given->offset[1]}};
+    const double rows[2][3] = {{cosine * x, sine * y, offset_of((double)given->offset[0], texture->wrap_s)},
+                               {-sine * x, cosine * y, offset_of((double)given->offset[1], texture->wrap_t)}};
     for (int row = 0; row < 2; row++)
         for (int k = 0; k < 3; k++)
-            texture->rows[row][k] = (float)rows[row][k];
+            texture->rows[row][k] = clamp_number(rows[row][k]);
 }
 
 /* ---- colours of light ---- */

@@ -67,7 +67,7 @@ struct zr_parsed_material {
 /* Keys of a material's textures, by enum zr_texture_slot. */
 extern const char *const zr_texture_keys[ZR_TEXTURE_SLOTS];
 
-/* Sets the rows of a texture: scales, then rotates, then translates coordinates. */
+/* Sets the rows of a texture, whose wrap modes are set: scales, then rotates, then translates coordinates. */
 void zr_parsed_put_transform(const struct zr_parsed_texture *given, struct zr_texture *texture);
 
 /* glTF's numbers of filters and wrap modes, by enum zr_filter and enum zr_wrap. */

@@ -6,8 +6,8 @@
 #include "input/text/number.h"
 #include "scene/texture.h"
 
-/* Numbers of -s, as of the transforms of glTF. */
-#define SCALE_MAX 1000.0f
+/* Magnitude of -bm, as of normals of glTF. */
+#define STRENGTH_MAX 1000.0f
 
 struct option {
     const char *word;
@@ -67,7 +67,7 @@ static bool read_option(struct zr_mtl_text *line, const struct option *option, s
         const bool is_scale = option == &options[SCALE];
         const int count = read_numbers(line, v);
         if (option->is_noted) return true;
-        if (!is_within(v, count, is_scale ? SCALE_MAX : ZR_TEXCOORD_MAX)) return false;
+        if (!is_within(v, count, ZR_TEXCOORD_MAX)) return false;
         if (is_scale) out->scale[1] = 1.0f;
         memcpy(is_scale ? out->scale : out->offset, v, (size_t)(count < 2 ? count : 2) * sizeof *v);
         return true;
@@ -75,7 +75,7 @@ static bool read_option(struct zr_mtl_text *line, const struct option *option, s
     for (int k = 0; k < option->words; k++) {
         const struct zr_mtl_text word = zr_mtl_word(line);
         if (option == &options[CLAMP]) out->is_clamped = zr_mtl_is_word(&word, "on");
-        if (option == &options[STRENGTH] && (!read_number(&word, v) || !is_within(v, 1, SCALE_MAX))) return false;
+        if (option == &options[STRENGTH] && (!read_number(&word, v) || !is_within(v, 1, STRENGTH_MAX))) return false;
         if (option == &options[STRENGTH]) out->strength = v[0];
     }
     return true;

@@ -66,8 +66,7 @@ static bool read_sampler(struct zr_json *json, const struct zr_json_path *path, 
 
 /* ---- textures ---- */
 
-#define OFFSET_MAX (double)ZR_TEXCOORD_MAX
-#define SCALE_MAX  1000.0
+#define NUMBER_MAX (double)ZR_TEXCOORD_MAX
 
 /* uint32_t: 0 or 1 */
 static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path, void *out)
@@ -97,8 +96,8 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
         {"offset",                                                                                                     \
          zr_json_float2,                                                                                               \
          TEXTURE(offset),                                                                                              \
-         -OFFSET_MAX,                                                                                                  \
-         OFFSET_MAX,                                                                                                   \
+         -NUMBER_MAX,                                                                                                  \
+         NUMBER_MAX,                                                                                                   \
          .otherwise = "[0, 0]",                                                                                        \
          .text = "offset added to the coordinates"},                                                                   \
         {"rotation",                                                                                                   \
@@ -110,7 +109,7 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
          .otherwise = "0",                                                                                             \
          .text = "rotation of the coordinates around [0, 0]; the image turns clockwise"},                              \
     {                                                                                                                  \
-        "scale", zr_json_float2, TEXTURE(scale), -SCALE_MAX, SCALE_MAX,                                                \
+        "scale", zr_json_float2, TEXTURE(scale), -NUMBER_MAX, NUMBER_MAX,                                              \
             .otherwise = "[1, 1]", .text = "factor of the coordinates: 2 shows the image twice"                        \
     }
 static const struct zr_json_field fields[] = {TEXTURE_FIELDS};

@@ -55,7 +55,7 @@ static void set_values(struct zr_threemf *file, uint32_t group, const struct zr_
 
 static bool read_coordinate(struct zr_threemf *file, const char *name, float *out)
 {
-    const double most = (double)ZR_TEXCOORD_MAX - 1.0;
+    const double most = (double)ZR_TEXCOORD_MAX;
     const struct zr_xml_text value = zr_xml_value(&file->tag, name);
     double number = 0.0;
     if (!value.at) return zr_threemf_fault(file, file->tag.at, "the attribute %s is missing", name);
