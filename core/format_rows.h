@@ -18,7 +18,10 @@
     ROW(PLY, "ply", "model/ply application/ply application/x-ply model/x-ply", false, true, false, false,              \
         "mesh or cloud of points, binary or text")                                                                     \
     ROW(GLB, "glb", "model/gltf-binary", false, true, false, false, "glTF 2.0 in one binary file")                     \
-    ROW(GLTF, "gltf", "model/gltf+json", false, false, false, false, "glTF 2.0 as JSON")
+    ROW(GLTF, "gltf", "model/gltf+json", false, false, false, false, "glTF 2.0 as JSON")                               \
+    ROW(OFF, "off", "model/x-off", false, false, false, false, "object file format: a mesh as text, also COFF and NOFF") \
+    ROW(PCD, "pcd", "model/x-pcd", false, true, false, true, "point cloud of the Point Cloud Library")                 \
+    ROW(XYZ, "xyz", "model/x-xyz", false, false, false, true, "point cloud as text, one point per line")
 
 enum zr_format {
 #define ZR_FORMAT_ENUM(ID, ...) ZR_FORMAT_##ID,

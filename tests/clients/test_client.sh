@@ -168,7 +168,7 @@ for size in 640x 640x480x1 -1x5 +5x5 ' 5x5' 5x99999999; do
 done
 for option in --preset=top --shading=flat --size=8x8; do
     check "a scene with ${option%=*} ends with 2" 2 "$client" render scene.json "$option"
-    verdict "and the message names the key" grep -q -e "${option%=*} is for meshes, ending with .obj .3mf .zip .stl .ply .glb .gltf; a JSON scene has the key" complained
+    verdict "and the message names the key" grep -q -e "${option%=*} is for meshes, ending with .obj .3mf .zip .stl .ply .glb .gltf .off .pcd .xyz; a JSON scene has the key" complained
 done
 check "a server's word on a parameter" 2 "$client" render "part one.stl" --preset iso
 verdict "is about the option" grep -q "^zraster: --preset: 'iso' is unknown (did you mean isometric?); allowed: front," complained
@@ -180,7 +180,7 @@ printf '%%PDF-1.4 and so on' >document
 check "unknown bytes are" 1 "$client" render document
 verdict "and the message names their format" grep -q 'looks like a PDF document, which is none of: json, obj' complained
 check "an unknown type ends with 2" 2 "$client" render said --type off
-verdict "and the message lists the types" grep -q -e '--type accepts one of json obj 3mf zip stl ply glb gltf, not off' complained
+verdict "and the message lists the types" grep -q -e '--type accepts one of json obj 3mf zip stl ply glb gltf off pcd xyz, not dae' complained
 check "no file ends with 2" 2 "$client" render
 check "two files end with 2" 2 "$client" render scene.json two.json
 check "another command ends with 2" 2 "$client" draw scene.json

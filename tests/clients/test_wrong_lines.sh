@@ -17,8 +17,8 @@ mkdir parts none bo
 triangle >part.stl
 cp part.stl other.stl && cp part.stl parts && : >empty.stl
 printf '<!DOCTYPE html><title>403</title>' >page.stl
-printf 'ISO-10303-21;\n' >part.step && printf 'OFF\n3 1 3\n' >part.off
-for name in cloud.pcd scene.splat part.stl.gz part.sldprt; do echo x >"$name"; done
+printf 'ISO-10303-21;\n' >part.step && printf '<COLLADA/>\n' >part.dae
+for name in cloud.las scene.splat part.stl.gz part.sldprt; do echo x >"$name"; done
 printf '{"polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}]}' >scene.json
 printf '{"polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
 printf '{"file": "part.stl"}\n{"file": "part.stl", "look": "clay"}\n' >twice.jsonl

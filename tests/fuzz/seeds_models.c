@@ -1,4 +1,4 @@
-/* The seeds of model files: OBJ, MTL, STL, PLY, 3MF, glTF and its compressed views. */
+/* The seeds of model files: OBJ, MTL, STL, PLY, 3MF, OFF, PCD, XYZ, glTF and its compressed views. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -276,8 +276,35 @@ static void write_meshopt(void)
     write_seed("gltf", "compressed", view, sizeof view - 1);
 }
 
+/* ---- OFF, PCD, XYZ ---- */
+
+static void write_points(void)
+{
+    static const struct text offs[] = {
+        {"colors",
+         "COFF\n4 2 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n1 1 0 0 0 255 255\n0 1 0 9 9 9 9\n3 0 1 2\n3 0 2 3\n"},
+        {"faces", "OFF4 2\n# a\n0 0 0\n1 0 0\n1 1 nan\n0 1 0\n4 0 1 2 3 0.5 1 0\n3 0 1 3 7\n2 0 1\n"},
+        {"normals", "STCNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0 0 0\n1 0 0 0 0 1 1 0 0 0 0\n0 1 0 0 0 1 1 0 0 1 1\n3 0 1 2\n"}};
+    static const struct text pcds[] = {
+        {"ascii",
+         "# .PCD v0.7\nVERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\n"
+         "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n0 0 0 4.2108e+06\nnan 1 1 0\n"},
+        {"fields",
+         "FIELDS r g b x y z v\nSIZE 1 1 1 8 4 2 4\nTYPE U U U F F I U\nCOUNT 1 1 1 1 1 1 3\nPOINTS 1\nDATA binary\n"
+         "abc01234567890123456789012345"}};
+    static const struct text xyzs[] = {{"names", "//X,Y,Z,R,G,B\n0,0,0,255,0,0\n1;1;1;0;0;255\n"},
+                                       {"counted", "2\n0 0 0 -7 1 2 3\n1 nan 0 -8 3 2 1\n"},
+                                       {"normals", "0 0 0 0 0 1\n1 0 0 0 0 1\n1e7 0 0 0 1 0\n"}};
+    static const char packed[] = "FIELDS x y z\nPOINTS 2\nDATA binary_compressed\n\7\0\0\0\x18\0\0\0\2\0\0\0\xE0\x0C\2";
+    WRITE_TEXTS("off", offs);
+    WRITE_TEXTS("pcd", pcds);
+    WRITE_TEXTS("xyz", xyzs);
+    write_seed("pcd", "compressed", packed, sizeof packed - 1);
+}
+
 void write_models(void)
 {
+    write_points();
     write_obj_and_stl();
     write_plys();
     write_3mf();

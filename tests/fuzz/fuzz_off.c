@@ -1,0 +1,3 @@
+#include "fuzz/mesh.h"
+
+FUZZ_MESH(OFF)
