@@ -24,7 +24,7 @@ static const char *const texts[ZR_THREEMF_NOTE_COUNT] = {
     [ZR_THREEMF_NOTE_NO_LAYER] = "layers of multiproperties name no property, and are not drawn",
     [ZR_THREEMF_NOTE_OVER] = "translucent textures lie over colours of multiproperties, which are not drawn",
     [ZR_THREEMF_NOTE_PLAIN] = "objects have some triangles without a colour, which are drawn white",
-    [ZR_THREEMF_NOTE_CLEAR] = "objects have only base materials of alpha 0, and are drawn opaque",
+    [ZR_THREEMF_NOTE_CLEAR] = "objects have only materials or colours of alpha 0, and are drawn opaque",
     [ZR_THREEMF_NOTE_PAINT] = "triangles have unknown paint, which is not drawn",
     [ZR_THREEMF_NOTE_EXTRUDER] = "objects have extruders without a filament, and the colour of the first one",
     [ZR_THREEMF_NOTE_PAINTED] = "triangles are painted for a slicer (paint_color), and the file names no colours",
@@ -55,13 +55,18 @@ static void warn(const struct zr_threemf *file, struct zr_scene_builder *builder
 
 /* ---- interface ---- */
 
+static const struct zr_zip_member *root_of(const struct zr_threemf *file)
+{
+    return zr_threemf_parts(file)[0].member;
+}
+
 static enum zr_status read_parts(struct zr_threemf *file)
 {
     if (zr_threemf_find_root(file)) {
         file->part_of_member = zr_arena_alloc(file->arena, file->zip.count, sizeof *file->part_of_member);
         if (!file->part_of_member) return ZR_NO_MEMORY;
         memset(file->part_of_member, 0xFF, file->zip.count * sizeof *file->part_of_member);
-        file->part_of_member[zr_threemf_parts(file)[0].member - file->zip.members] = 0;
+        file->part_of_member[root_of(file) - file->zip.members] = 0;
         zr_threemf_read_slicer(file);
         for (uint32_t i = 0; i < file->parts.count && !zr_threemf_stops(file); i++)
             zr_threemf_read_part(file, i);
@@ -88,6 +93,10 @@ enum zr_status zr_read_3MF(struct zr_scene_builder *builder, const struct zr_req
     if (status == ZR_OK) status = zr_threemf_place(file, builder, request);
     if (status != ZR_OK) return status;
     warn(file, builder);
+    if (file->is_unnamed)
+        zr_warning_list_add(arena, &builder->warnings,
+                            "3MF: no relationship of _rels/.rels leads to a 3D model; %s is drawn, the only one",
+                            zr_quote(root_of(file)->name, root_of(file)->name_length).text);
     builder->scene->file.unit = zr_threemf_parts(file)[0].unit;
     return status;
 }

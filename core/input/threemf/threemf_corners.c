@@ -93,7 +93,8 @@ static void set_values(struct zr_threemf_corners *corners, uint32_t triangle, co
             at[1] = values[i].v;
         }
         if (corners->colors) corners->colors[3 * (size_t)triangle + (size_t)i] = values[i].color;
-        corners->has_clear |= values[i].color >> 24 == 0;
+        corners->has_clear[1] |= values[i].color >> 24 == 0;
+        corners->has_solid[1] |= values[i].color >> 24 != 0;
         corners->has_gradients |= values[i].color != values[0].color;
     }
     if (corners->textures) corners->textures[triangle] = texture;
@@ -111,10 +112,8 @@ static void set_colors(struct zr_threemf_corners *corners, uint32_t triangle, co
         const uint32_t index = p[i] == ZR_THREEMF_NONE || group->is_base ? p[0] : p[i];
         if (!check_index(corners, triangle, group, index)) return;
         colors[i] = group->colors[index];
-        const bool is_clear = colors[i] >> 24 == 0;
-        corners->has_base |= group->is_base && !is_clear;
-        corners->has_clear_base |= group->is_base && is_clear;
-        corners->has_clear |= !group->is_base && is_clear;
+        corners->has_clear[!group->is_base] |= colors[i] >> 24 == 0;
+        corners->has_solid[!group->is_base] |= colors[i] >> 24 != 0;
     }
     corners->has_gradients |= colors[0] != colors[1] || colors[0] != colors[2];
     corners->given++;
@@ -177,11 +176,14 @@ static void expand(const struct zr_threemf_corners *corners, struct zr_mesh *mes
     mesh->indices = NULL;
 }
 
-/* Makes base materials opaque if all base materials of the mesh have alpha 0, as slicers write them. */
-static void show_bases(struct zr_threemf_corners *corners, uint32_t triangles)
+/* Makes colours opaque if all base materials of the mesh, or all its other colours, have alpha 0, as slicers write
+ * them. */
+static void show_clear(struct zr_threemf_corners *corners, uint32_t triangles)
 {
     const size_t count = (size_t)triangles * 3;
-    if (!corners->has_clear_base || corners->has_clear || corners->has_base) return;
+    for (int k = 0; k < 2; k++)
+        if (corners->has_clear[k] && corners->has_solid[k]) return;
+    if (!corners->colors || !(corners->has_clear[0] || corners->has_clear[1])) return;
     for (size_t i = 0; i < count; i++) {
         if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(corners->file->cancel)) return;
         if (corners->colors[i] >> 24 == 0) corners->colors[i] |= 0xFF000000u;
@@ -195,7 +197,7 @@ bool zr_threemf_corners_finish(struct zr_threemf_corners *corners, struct zr_mes
     uint32_t **textures = zr_threemf_list_add(file->arena, &file->textures, sizeof *textures);
     if (!textures) return false;
     *textures = corners->textures;
-    show_bases(corners, mesh->face_count);
+    show_clear(corners, mesh->face_count);
     if (!zr_threemf_paint_mesh(corners, mesh)) return false;
     if (corners->textures || (corners->colors && corners->has_gradients))
         expand(corners, mesh);

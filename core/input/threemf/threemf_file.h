@@ -166,6 +166,7 @@ struct zr_threemf {
     const struct zr_cancel *cancel;
     struct zr_error *error;
     struct zr_zip zip;
+    bool is_unnamed;              /* no relationship leads to the root part, the only model of the archive */
     uint32_t *part_of_member;     /* or ZR_THREEMF_NONE */
     struct zr_xml_text last_path; /* path found last; its part is last_part */
     uint32_t last_part;
@@ -214,8 +215,7 @@ struct zr_threemf_corners {
     float (*coords)[2]; /* one per corner, if there are textures */
     uint32_t given;     /* triangles with a property */
     bool has_gradients;
-    bool has_base, has_clear_base; /* a triangle has a base material with alpha above 0; with alpha 0 */
-    bool has_clear;                /* a corner has another property with alpha 0 */
+    bool has_solid[2], has_clear[2]; /* of base materials, of others: a corner has alpha above 0; alpha 0 */
     uint32_t last_pid;
     const struct zr_threemf_resource *last;
 };

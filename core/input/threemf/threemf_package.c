@@ -1,5 +1,6 @@
 /* Finds the model part of a 3MF package by its relationships (Open Packaging Conventions), and parts by their paths. */
 #include <string.h>
+#include <strings.h>
 
 #include "input/formats/input.h"
 #include "input/threemf/threemf_file.h"
@@ -56,35 +57,74 @@ static struct zr_xml_text find_target(struct zr_xml *xml, struct zr_xml_tag *tag
     return (struct zr_xml_text){NULL, 0};
 }
 
+/* True for models where packages have them: 3D/NAME.model. */
+static bool is_model(const struct zr_zip_member *member)
+{
+    static const char folder[] = "3D/", end[] = ".model";
+    const size_t length = member->name_length, least = strlen(end);
+    if (length < least || strncasecmp(member->name + length - least, end, least) != 0) return false;
+    size_t name = length;
+    while (name > 0 && member->name[name - 1] != '/')
+        name--;
+    return name >= strlen(folder) && strncasecmp(member->name + name - strlen(folder), folder, strlen(folder)) == 0;
+}
+
+/* Finds the model of a package whose relationships do not lead to one. NULL if there is none, or several. */
+static const struct zr_zip_member *find_only_model(const struct zr_zip *zip)
+{
+    const struct zr_zip_member *found = NULL;
+    for (size_t i = 0; i < zip->count; i++) {
+        if (!is_model(&zip->members[i])) continue;
+        if (found) return NULL;
+        found = &zip->members[i];
+    }
+    return found;
+}
+
 static bool refuse(struct zr_threemf *file, enum zr_status status, const char *text)
 {
     zr_error_add(file->error, status, NULL, "%s", text);
     return false;
 }
 
-bool zr_threemf_find_root(struct zr_threemf *file)
+/* Reads the relationships to find the target. .at is NULL if there is none, or after a fault. */
+static struct zr_xml_text read_target(struct zr_threemf *file, const struct zr_zip_member *relationships)
 {
+    const struct zr_xml_text none = {NULL, 0};
     struct zr_reason reason = {""};
     const char *bytes;
-    const struct zr_zip_member *member = zr_zip_find(&file->zip, RELATIONSHIPS, strlen(RELATIONSHIPS));
-    if (!member) return refuse(file, ZR_BAD_SYNTAX, "the archive has no " RELATIONSHIPS ", which names the 3D model");
-    const enum zr_status status = zr_zip_read(member, file->arena, &bytes, &reason);
-    if (status == ZR_BAD_SYNTAX) return refuse(file, status, reason.text);
-    if (status != ZR_OK) return false;
-    zr_xml_open(&file->xml, bytes, (size_t)member->size, NULL, 0, file->cancel);
+    const enum zr_status status = zr_zip_read(relationships, file->arena, &bytes, &reason);
+    if (status == ZR_BAD_SYNTAX) refuse(file, status, reason.text);
+    if (status != ZR_OK) return none;
+    zr_xml_open(&file->xml, bytes, (size_t)relationships->size, NULL, 0, file->cancel);
     const struct zr_xml_text target = find_target(&file->xml, &file->tag);
-    if (!target.at && *file->xml.reason.text) {
-        const size_t line = zr_place_of(bytes, (size_t)(file->xml.at - bytes)).line;
-        zr_error_add(file->error, ZR_BAD_SYNTAX, NULL, "%s, line %zu: %s", RELATIONSHIPS, line, file->xml.reason.text);
-        return false;
-    }
+    if (!target.at && *file->xml.reason.text)
+        zr_error_add(file->error, ZR_BAD_SYNTAX, NULL, "%s, line %zu: %s", RELATIONSHIPS,
+                     zr_place_of(bytes, (size_t)(file->xml.at - bytes)).line, file->xml.reason.text);
+    return target;
+}
+
+/* Reports that there is no model to read. */
+static bool refuse_target(struct zr_threemf *file, bool has_relationships, struct zr_xml_text target)
+{
+    if (!has_relationships)
+        return refuse(file, ZR_BAD_SYNTAX, "the archive has no " RELATIONSHIPS ", which names the 3D model");
     if (!target.at) return refuse(file, ZR_BAD_SYNTAX, RELATIONSHIPS ": no relationship to a 3D model");
-    const struct zr_zip_member *root = zr_threemf_find_member(file, target);
-    if (!root) {
-        zr_error_add(file->error, ZR_BAD_SCENE, NULL, "%s names the 3D model %s, which the archive does not have",
-                     RELATIONSHIPS, zr_quote(target.at, target.length).text);
-        return false;
-    }
+    zr_error_add(file->error, ZR_BAD_SCENE, NULL, "%s names the 3D model %s, which the archive does not have",
+                 RELATIONSHIPS, zr_quote(target.at, target.length).text);
+    return false;
+}
+
+bool zr_threemf_find_root(struct zr_threemf *file)
+{
+    const struct zr_zip_member *relationships = zr_zip_find(&file->zip, RELATIONSHIPS, strlen(RELATIONSHIPS));
+    struct zr_xml_text target = {NULL, 0};
+    if (relationships) target = read_target(file, relationships);
+    if (file->error->count > 0 || !zr_arena_ok(file->arena)) return false;
+    const struct zr_zip_member *named = target.at ? zr_threemf_find_member(file, target) : NULL,
+                               *root = named ? named : find_only_model(&file->zip);
+    file->is_unnamed = !named;
+    if (!root) return refuse_target(file, relationships, target);
     struct zr_threemf_part *part = zr_threemf_list_add(file->arena, &file->parts, sizeof *part);
     if (part) *part = (struct zr_threemf_part){.member = root};
     return part != NULL;
@@ -119,6 +159,7 @@ static bool has_model(struct zr_arena *arena, const char *bytes, size_t size)
     const char *text;
     if (zr_zip_open(arena, bytes, size, &zip, &reason) != ZR_OK) return false;
     const struct zr_zip_member *member = zr_zip_find(&zip, RELATIONSHIPS, strlen(RELATIONSHIPS));
+    if (find_only_model(&zip)) return true;
     if (!member || zr_zip_read(member, arena, &text, &reason) != ZR_OK) return false;
     struct zr_xml *xml = zr_arena_alloc(arena, 1, sizeof *xml);
     struct zr_xml_tag *tag = zr_arena_alloc(arena, 1, sizeof *tag);

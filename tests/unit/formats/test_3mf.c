@@ -1,4 +1,5 @@
 /* Reads 3MF: meshes, instances, colours and warnings. Refusals: tests/refusals/3mf.txt. */
+#include "input/formats/formats.h"
 #include "scene/texture.h"
 #include "support/input/zip_file.h"
 #include "support/pictures/png.h"
@@ -57,6 +58,32 @@ TEST(a_model_is_read)
     assert_null(mesh->face_colors);
     assert_true(reading->scene->materials[mesh->material].double_sided);
     reading_free(reading);
+}
+
+TEST(the_only_model_is_read_without_relationships)
+{
+    static const char model[] = "<model " CORE "><resources><object id=\"1\">" MESH
+                                "</object></resources><build><item objectid=\"1\"/></build></model>";
+    const struct zip_entry parts[] = {{"[Content_Types].xml", "<Types/>", 8, true},
+                                      {"3D/3dmodel.model", model, sizeof model - 1, true},
+                                      {"3D/other.model", model, sizeof model - 1, true}};
+    for (size_t count = 2; count < 4; count++) {
+        size_t size, directory;
+        unsigned char *file = zip_file(parts, count, &size, &directory);
+        struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_3MF, .look = "textbook"}, file,
+                                               size, zr_limits_default(), (size_t)1 << 26);
+        assert_int_equal(zr_format_of_bytes((const char *)file, size), count == 2 ? ZR_FORMAT_3MF : ZR_FORMAT_ZIP);
+        free(file);
+        if (count == 2) {
+            assert_read(reading);
+            assert_int_equal(reading->scene->mesh_count, 1);
+            assert_true(warns(reading, "3MF: no relationship of _rels/.rels leads to a 3D model; '3D/3dmodel.model' is "
+                                       "drawn, the only one"));
+        } else {
+            assert_int_equal(reading->status, ZR_BAD_SYNTAX);
+        }
+        reading_free(reading);
+    }
 }
 
 TEST(items_and_components_are_placed)
@@ -229,10 +256,10 @@ TEST(what_is_not_drawn_is_warned_of)
 
 /* ---- materials ---- */
 
-TEST(base_materials_are_opaque_if_all_have_alpha_0)
+TEST(base_materials_or_colours_are_opaque_if_all_have_alpha_0)
 {
     static const char says[] =
-        "3MF: 1 objects have only base materials of alpha 0, and are drawn opaque; the first is in "
+        "3MF: 1 objects have only materials or colours of alpha 0, and are drawn opaque; the first is in "
         "3D/3dmodel.model, line 2";
     static const struct {
         const char *triangles;
@@ -246,13 +273,16 @@ TEST(base_materials_are_opaque_if_all_have_alpha_0)
         {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" p1=\"0\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" "
          "p1=\"2\"/>",
          0, false},
-        {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" p1=\"0\"/>", 0, false},
+        {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" p1=\"0\"/>", 1, true},
+        {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" p1=\"0\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" "
+         "p1=\"1\"/>",
+         0, false},
         {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" p1=\"0\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" "
          "p1=\"1\"/>",
          1, true},
         {"<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"1\" p1=\"0\"/><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" "
          "p1=\"0\"/>",
-         0, false},
+         1, true},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char model[2048];
