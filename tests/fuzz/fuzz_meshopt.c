@@ -1,4 +1,4 @@
-/* The decoder of EXT_meshopt_compression. The first six bytes choose the layout. */
+/* The decoder of EXT_ and KHR_meshopt_compression. The first six bytes choose the layout. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,10 +8,10 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     if (size < 6) return 0;
-    const struct zr_meshopt of = {data[0] % 3, data[1] % 4, data[2] | (uint32_t)data[3] << 8,
+    const struct zr_meshopt of = {data[0] % 3, data[1] % 5, data[2] | (uint32_t)data[3] << 8,
                                   data[4] | (data[5] & 1u) << 8};
     struct zr_reason reason = {""};
-    if (!zr_meshopt_check(&of, size - 6, &reason)) {
+    if (!zr_meshopt_check(&of, data + 6, size - 6, &reason)) {
         fuzz_expect(*reason.text, "a refusal says why");
         return 0;
     }

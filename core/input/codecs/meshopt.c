@@ -1,4 +1,4 @@
-/* Bitstreams of EXT_meshopt_compression. Source: its appendices A and B. */
+/* Bitstreams of EXT_meshopt_compression and KHR_meshopt_compression. Source: appendices A and B of the extensions. */
 #include "input/codecs/meshopt.h"
 
 #include <math.h>
@@ -79,6 +79,38 @@ static void filter_exponential(unsigned char *at)
         at[k] = (unsigned char)(out >> 8 * k & 0xFF);
 }
 
+/* Returns v * scale as an integer of 0 to `most`; 0 for a NaN. */
+static int to_unsigned(int v, float scale, int most)
+{
+    const float value = (float)v * scale + 0.5f;
+    return !(value > 0.0f) ? 0 : value >= (float)most ? most : (int)value;
+}
+
+static int component(const unsigned char *at, int k, uint32_t stride)
+{
+    return stride == 4 ? at[k] : at[2 * k] | at[2 * k + 1] << 8;
+}
+
+/* Decodes YCoCg and alpha. The highest bit of alpha tells the number of bits of all. */
+static void filter_color(unsigned char *at, uint32_t stride)
+{
+    const int most = stride == 4 ? 255 : 65535, half = most / 2 + 1, alpha = component(at, 3, stride);
+    const int y = component(at, 0, stride), orange = (component(at, 1, stride) ^ half) - half,
+              green = (component(at, 2, stride) ^ half) - half;
+    int ones = alpha;
+    for (int shift = 1; shift < 16; shift *= 2)
+        ones |= ones >> shift;
+    const float scale = ones > 0 ? (float)most / (float)ones : 0.0f;
+    const int out[4] = {y + orange - green, y + green, y - orange - green, (alpha << 1 & ones) | (alpha & 1)};
+    for (int k = 0; k < 4; k++) {
+        const int value = to_unsigned(out[k], scale, most);
+        if (stride == 4)
+            at[k] = (unsigned char)value;
+        else
+            write16(at + 2 * k, value);
+    }
+}
+
 void zr_meshopt_filter(const struct zr_meshopt *of, unsigned char *elements, uint32_t count)
 {
     unsigned char *const end = elements + (size_t)count * of->stride;
@@ -88,6 +120,9 @@ void zr_meshopt_filter(const struct zr_meshopt *of, unsigned char *elements, uin
     else if (of->filter == ZR_MESHOPT_QUATERNION)
         for (unsigned char *at = elements; at < end; at += of->stride)
             filter_quaternion(at);
+    else if (of->filter == ZR_MESHOPT_COLOR)
+        for (unsigned char *at = elements; at < end; at += of->stride)
+            filter_color(at, of->stride);
     else if (of->filter == ZR_MESHOPT_EXPONENTIAL)
         for (unsigned char *at = elements; at < end; at += 4)
             filter_exponential(at);
@@ -99,6 +134,7 @@ void zr_meshopt_filter(const struct zr_meshopt *of, unsigned char *elements, uin
 struct stream {
     const unsigned char *at, *end;
     bool ends_early;
+    unsigned version; /* of the attributes: 0 or 1 */
 };
 
 /* Returns the next `count` bytes; NULL after the end. */
@@ -139,9 +175,9 @@ static uint32_t unzigzag(uint32_t v)
 
 /* ---- attributes ---- */
 
-enum { BLOCK_BYTES = 8192, BLOCK_MOST = 256, GROUP = 16, STRIDE_MOST = 256, TAIL_LEAST = 32 };
+enum { BLOCK_BYTES = 8192, BLOCK_MOST = 256, GROUP = 16, STRIDE_MOST = 256, TAIL_LEAST = 32, TAIL_LEAST_1 = 24 };
 
-/* Reads 16 deltas of `bits` bits, from the highest bits of each byte.
+/* Reads 16 deltas of `bits` bits, from the highest bits of each byte; single bits from the lowest.
  * A delta with all bits set is a byte after them. */
 static bool read_packed(struct stream *stream, unsigned bits, unsigned char deltas[GROUP])
 {
@@ -149,39 +185,91 @@ static bool read_packed(struct stream *stream, unsigned bits, unsigned char delt
     const unsigned most = (1u << bits) - 1;
     if (!packed) return false;
     for (unsigned i = 0; i < GROUP; i++) {
-        const unsigned first = i * bits, value = packed[first / 8] >> (8 - bits - first % 8) & most;
+        const unsigned bit = i * bits % 8, value = packed[i * bits / 8] >> (bits == 1 ? bit : 8 - bits - bit) & most;
         deltas[i] = (unsigned char)(value == most ? take_byte(stream) : value);
     }
     return !stream->ends_early;
 }
 
-/* Reads the deltas of a group by the mode of its header. */
-static bool read_group(struct stream *stream, unsigned mode, unsigned char deltas[GROUP])
+static bool read_group(struct stream *stream, unsigned bits, unsigned char deltas[GROUP])
 {
-    if (mode == 0) {
-        memset(deltas, 0, GROUP);
-        return true;
-    }
-    if (mode < 3) return read_packed(stream, 2 * mode, deltas);
+    if (bits == 0) memset(deltas, 0, GROUP);
+    if (bits < 8) return bits == 0 || read_packed(stream, bits, deltas);
     const unsigned char *bytes = take(stream, GROUP);
     if (bytes) memcpy(deltas, bytes, GROUP);
     return bytes;
 }
 
-/* Decodes one byte of each of `count` elements.
- * *before: this byte of the previous element; set to that of the last one. */
-static bool read_column(struct stream *stream, uint32_t count, uint32_t stride, unsigned char *before,
-                        unsigned char *out)
+/* Reads the deltas of one byte of `count` elements. Groups have one of four widths. */
+static bool read_groups(struct stream *stream, uint32_t count, const unsigned char widths[4], unsigned char *deltas)
 {
     const uint32_t groups = (count + GROUP - 1) / GROUP;
     const unsigned char *modes = take(stream, (groups + 3) / 4);
-    unsigned char deltas[GROUP];
     if (!modes) return false;
-    for (uint32_t group = 0; group < groups; group++) {
-        const uint32_t left = count - group * GROUP, run = left < GROUP ? left : GROUP;
-        if (!read_group(stream, modes[group / 4] >> 2 * (group % 4) & 3, deltas)) return false;
-        for (uint32_t i = 0; i < run; i++, out += stride)
-            *out = *before = (unsigned char)(*before + unzigzag(deltas[i]));
+    for (uint32_t group = 0; group < groups; group++)
+        if (!read_group(stream, widths[modes[group / 4] >> 2 * (group % 4) & 3], deltas + group * GROUP)) return false;
+    return true;
+}
+
+/* Reads the deltas by a control of version 1: 0 and 1: groups; 2: zeros; 3: bytes. */
+static bool read_deltas(struct stream *stream, uint32_t count, unsigned control, unsigned char *deltas)
+{
+    static const unsigned char widths[] = {0, 1, 2, 4, 8}, widths_0[] = {0, 2, 4, 8};
+    if (control < 2) return read_groups(stream, count, stream->version == 0 ? widths_0 : widths + control, deltas);
+    const unsigned char *bytes = control == 3 ? take(stream, count) : NULL;
+    if (bytes)
+        memcpy(deltas, bytes, count);
+    else
+        memset(deltas, 0, count);
+    return bytes || control == 2;
+}
+
+/* Four bytes of each element of a block. */
+struct channel {
+    unsigned char deltas[4][BLOCK_MOST];
+    unsigned type, turn; /* type: log2 of the bytes of a number; numbers of 4 bytes are turned and added by xor */
+};
+
+static uint32_t turn_left(uint32_t v, unsigned by)
+{
+    return by == 0 ? v : v << by | v >> (32 - by);
+}
+
+/* Decodes the channel of `count` elements. `before`: that of the last element before; set to that of the last one. */
+static void add_deltas(const struct channel *channel, uint32_t count, uint32_t stride, unsigned char before[4],
+                       unsigned char *out)
+{
+    const unsigned bytes = 1u << channel->type;
+    for (unsigned k = 0; k < 4; k += bytes) {
+        uint32_t number = 0;
+        for (unsigned j = 0; j < bytes; j++)
+            number |= (uint32_t)before[k + j] << 8 * j;
+        for (uint32_t i = 0; i < count; i++) {
+            uint32_t delta = 0;
+            for (unsigned j = 0; j < bytes; j++)
+                delta |= (uint32_t)channel->deltas[k + j][i] << 8 * j;
+            number = bytes == 4 ? number ^ turn_left(delta, channel->turn) : number + unzigzag(delta);
+            for (unsigned j = 0; j < bytes; j++)
+                out[(size_t)i * stride + k + j] = before[k + j] = (unsigned char)(number >> 8 * j & 0xFF);
+        }
+    }
+}
+
+/* Decodes `count` elements. `before` and `channels`: bytes of the last element before, and a byte per channel. */
+static bool read_block(struct stream *stream, uint32_t count, uint32_t stride, unsigned char *before,
+                       const unsigned char *channels, unsigned char *out)
+{
+    const unsigned char *controls = stream->version == 0 ? NULL : take(stream, stride / 4);
+    struct channel channel = {.type = 0};
+    if (stream->ends_early) return false;
+    for (uint32_t k = 0; k < stride; k += 4) {
+        const unsigned control = controls ? controls[k / 4] : 0, of = channels ? channels[k / 4] : 0;
+        for (unsigned j = 0; j < 4; j++)
+            if (!read_deltas(stream, count, control >> 2 * j & 3, channel.deltas[j])) return false;
+        channel.type = of & 3;
+        channel.turn = (32 - (of >> 4)) & 31;
+        if (channel.type == 3) return false;
+        add_deltas(&channel, count, stride, before + k, out + k);
     }
     return true;
 }
@@ -190,17 +278,18 @@ static bool read_attributes(const struct zr_meshopt *of, struct stream *stream, 
                             const struct zr_cancel *cancel)
 {
     const uint32_t stride = of->stride, fitting = BLOCK_BYTES / stride / GROUP * GROUP,
-                   most = fitting < BLOCK_MOST ? fitting : BLOCK_MOST, tail = stride < TAIL_LEAST ? TAIL_LEAST : stride;
+                   most = fitting < BLOCK_MOST ? fitting : BLOCK_MOST;
+    const uint32_t least = stream->version == 0 ? TAIL_LEAST : TAIL_LEAST_1,
+                   used = stream->version == 0 ? stride : stride + stride / 4, tail = used < least ? least : used;
     unsigned char before[STRIDE_MOST];
     if ((size_t)(stream->end - stream->at) < tail) return false;
-    memcpy(before, stream->end - stride, stride);
+    const unsigned char *channels = stream->version == 0 ? NULL : stream->end - stride / 4;
+    memcpy(before, stream->end - used, stride);
     stream->end -= tail;
     for (uint32_t first = 0; first < of->count; first += most) {
         const uint32_t left = of->count - first, run = left < most ? left : most;
         unsigned char *block = out + (size_t)first * stride;
-        if (zr_is_cancelled(cancel)) return false;
-        for (uint32_t k = 0; k < stride; k++)
-            if (!read_column(stream, run, stride, &before[k], block + k)) return false;
+        if (zr_is_cancelled(cancel) || !read_block(stream, run, stride, before, channels, block)) return false;
         zr_meshopt_filter(of, block, run);
     }
     return true;
@@ -331,16 +420,26 @@ static bool read_triangles(const struct zr_meshopt *of, struct stream *stream, u
 
 /* ---- all modes ---- */
 
-bool zr_meshopt_check(const struct zr_meshopt *of, size_t size, struct zr_reason *reason)
+/* First bytes by mode; attributes of version 1 begin with ATTRIBUTES_1. */
+static const unsigned headers[] = {0xA0, 0xE1, 0xD1};
+enum { ATTRIBUTES_1 = 0xA1 };
+
+static bool is_version_1(const struct zr_meshopt *of, const unsigned char *bytes, size_t size)
 {
-    static const uint64_t most[] = {64, 3, 1}; /* attribute bytes, or indices, per byte */
+    return of->mode == ZR_MESHOPT_ATTRIBUTES && size > 0 && bytes[0] == ATTRIBUTES_1;
+}
+
+bool zr_meshopt_check(const struct zr_meshopt *of, const void *bytes, size_t size, struct zr_reason *reason)
+{
     const bool has_attributes = of->mode == ZR_MESHOPT_ATTRIBUTES;
+    const uint64_t most[] = {is_version_1(of, bytes, size) ? 1024 : 64, 3,
+                             1}; /* attribute bytes, or indices, per byte */
     const uint64_t units = has_attributes ? (uint64_t)of->count * of->stride : of->count;
     if (has_attributes ? of->stride % 4 != 0 || of->stride == 0 || of->stride > STRIDE_MOST
                        : of->stride != 2 && of->stride != 4)
         zr_reason_give(reason, "a byteStride of %u does not fit the mode", of->stride);
     else if ((!has_attributes && of->filter != ZR_MESHOPT_NONE) ||
-             (of->filter == ZR_MESHOPT_OCTAHEDRAL && of->stride > 8) ||
+             ((of->filter == ZR_MESHOPT_OCTAHEDRAL || of->filter == ZR_MESHOPT_COLOR) && of->stride > 8) ||
              (of->filter == ZR_MESHOPT_QUATERNION && of->stride != 8))
         zr_reason_give(reason, "the filter does not fit the mode and a byteStride of %u", of->stride);
     else if (of->mode == ZR_MESHOPT_TRIANGLES && of->count % 3 != 0)
@@ -357,10 +456,9 @@ bool zr_meshopt_decode(const struct zr_meshopt *of, const void *bytes, size_t si
 {
     static bool (*const read[])(const struct zr_meshopt *, struct stream *, unsigned char *,
                                 const struct zr_cancel *) = {read_attributes, read_triangles, read_indices};
-    static const unsigned headers[] = {0xA0, 0xE1, 0xD1};
-    struct stream stream = {bytes, (const unsigned char *)bytes + size, false};
+    struct stream stream = {bytes, (const unsigned char *)bytes + size, false, is_version_1(of, bytes, size)};
     const unsigned header = take_byte(&stream);
-    if (header != headers[of->mode])
+    if (header != headers[of->mode] && stream.version == 0)
         zr_reason_give(reason, "the compressed data begin with %02x, not %02x", header, headers[of->mode]);
     else if (!read[of->mode](of, &stream, out, cancel) || stream.ends_early)
         zr_reason_give(reason, "the compressed data are broken, at byte %zu of %zu",

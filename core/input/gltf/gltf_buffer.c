@@ -43,6 +43,16 @@ static const struct zr_json_field view_fields[] = {
 #undef AT
 static const struct zr_json_object view_object = ZR_JSON_OBJECT_OF("bufferView", view_fields);
 
+static void find_compression(struct zr_gltf *file, const struct zr_json_path *path, const char *extensions,
+                             struct zr_gltf_view *view)
+{
+    static const char *const names[] = {ZR_GLTF_MESHOPT, ZR_GLTF_KHR_MESHOPT};
+    for (size_t i = 0; i < sizeof names / sizeof *names && !view->compressed; i++) {
+        view->compression = names[i];
+        zr_gltf_find_extension(file, path, extensions, names[i], &view->compressed);
+    }
+}
+
 static void read_view(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct given_view given = {.extensions = NULL};
@@ -50,9 +60,7 @@ static void read_view(struct zr_gltf *file, struct zr_json *json, const struct z
     zr_gltf_fields(file, json, path, &view_object, &given);
     const bool has_stride = zr_json_gives(file->given, VIEW_STRIDE);
     *view = given.view;
-    if (given.extensions)
-        zr_gltf_find_extension(file, ZR_JSON_KEY(path, "extensions"), given.extensions, ZR_GLTF_MESHOPT,
-                               &view->compressed);
+    if (given.extensions) find_compression(file, ZR_JSON_KEY(path, "extensions"), given.extensions, view);
     if (has_stride && view->stride == 0)
         zr_gltf_note(&file->zero_strides, ZR_JSON_KEY(path, view_fields[VIEW_STRIDE].key));
     else if (has_stride && (view->stride < STRIDE_MIN || view->stride > STRIDE_MAX))
@@ -143,9 +151,9 @@ static bool find_bytes(struct zr_gltf *file, const struct zr_json_path *path, ui
                              number == 0 ? "the file has no binary chunk" : "only buffer 0 may be the binary chunk");
     }
     if (buffer->length > buffer->bytes.size)
-        return zr_json_fault(json, ZR_JSON_KEY(path, buffer_fields[BUFFER_LENGTH].key), "%u, but there are %zu bytes",
-                             buffer->length, buffer->bytes.size);
-    buffer->bytes.size = buffer->length;
+        zr_gltf_note(&file->short_buffers, ZR_JSON_KEY(path, buffer_fields[BUFFER_LENGTH].key));
+    else
+        buffer->bytes.size = buffer->length;
     return true;
 }
 
@@ -162,9 +170,9 @@ static bool find_range(struct zr_gltf *file, const struct zr_json_path *path, co
         buffer->state =
             find_bytes(file, ZR_GLTF_ITEM(ZR_GLTF_BUFFERS, number), number) ? ZR_GLTF_READ : ZR_GLTF_REFUSED;
     if (buffer->state == ZR_GLTF_REFUSED) return false;
-    if (end > buffer->length)
-        return zr_json_fault(&file->json, path, "bytes %u to %llu of buffer %u, which has %u", span->offset,
-                             (unsigned long long)end, number, buffer->length);
+    if (end > buffer->bytes.size)
+        return zr_json_fault(&file->json, path, "bytes %u to %llu of buffer %u, which has %zu", span->offset,
+                             (unsigned long long)end, number, buffer->bytes.size);
     *out = (struct zr_parsed_bytes){(const char *)buffer->bytes.bytes + span->offset, span->length};
     return true;
 }
@@ -173,7 +181,7 @@ static bool find_range(struct zr_gltf *file, const struct zr_json_path *path, co
 static bool decompress(struct zr_gltf *file, const struct zr_json_path *path, struct zr_gltf_view *view)
 {
     const struct zr_json_path *extensions = ZR_JSON_KEY(path, "extensions"),
-                              *at = ZR_JSON_KEY(extensions, ZR_GLTF_MESHOPT);
+                              *at = ZR_JSON_KEY(extensions, view->compression);
     struct zr_gltf_compressed given;
     struct zr_parsed_bytes packed;
     return zr_gltf_read_compressed(file, at, view, &given) && find_range(file, at, &given.span, &packed) &&

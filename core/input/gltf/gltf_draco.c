@@ -140,13 +140,12 @@ static const struct zr_draco_attribute *find_attribute(const struct zr_draco_mes
     return NULL;
 }
 
-/* Accessors that also have uncompressed data may have another count of these. */
-static bool check_count(struct zr_gltf *file, uint32_t number, uint32_t count)
+/* Notes another count than that of the compressed data, unless it may be that of uncompressed data. */
+static void note_count(struct zr_gltf *file, uint32_t number, uint32_t count)
 {
-    const uint32_t given = file->accessors[number].count;
-    return given == count || (!file->requires_draco && file->accessors[number].view != ZR_GLTF_NONE) ||
-           zr_json_fault(&file->json, ZR_JSON_KEY(ZR_GLTF_ITEM(ZR_GLTF_ACCESSORS, number), "count"),
-                         "%u elements; the compressed data have %u", given, count);
+    const struct zr_gltf_accessor *accessor = &file->accessors[number];
+    if (accessor->count != count && (file->requires_draco || accessor->view == ZR_GLTF_NONE))
+        zr_gltf_note(&file->other_counts, ZR_JSON_KEY(ZR_GLTF_ITEM(ZR_GLTF_ACCESSORS, number), "count"));
 }
 
 /* Gives an accessor the values of an attribute. `path` leads to its id. */
@@ -158,7 +157,7 @@ static bool open_attribute(struct zr_gltf *file, const struct zr_json_path *path
     if (!of) return zr_json_fault(&file->json, path, "the compressed data have no attribute %u", id);
     struct zr_gltf_accessor *accessor = &file->accessors[number];
     const struct zr_json_path *at = ZR_GLTF_ITEM(ZR_GLTF_ACCESSORS, number);
-    if (!check_count(file, number, mesh->point_count)) return false;
+    note_count(file, number, mesh->point_count);
     if (widths[accessor->shape] != of->width)
         return zr_json_fault(&file->json, ZR_JSON_KEY(at, "type"),
                              "elements of %u numbers; the compressed attribute has %u", widths[accessor->shape],
@@ -233,9 +232,10 @@ static bool check_faces(struct zr_gltf *file, const struct zr_json_path *path, c
     if (given->mode != ZR_GLTF_TRIANGLES && given->mode != ZR_GLTF_TRIANGLE_STRIP)
         return zr_json_fault(&file->json, ZR_JSON_KEY(path, "mode"), "%u; compressed primitives have the modes 4 and 5",
                              given->mode);
-    return given->indices == ZR_GLTF_NONE || given->mode != ZR_GLTF_TRIANGLES ||
-           (zr_gltf_check_index(file, ZR_JSON_KEY(path, "indices"), given->indices, ZR_GLTF_ACCESSORS) &&
-            check_count(file, given->indices, 3 * given->draco->face_count));
+    if (given->indices == ZR_GLTF_NONE || given->mode != ZR_GLTF_TRIANGLES) return true;
+    if (!zr_gltf_check_index(file, ZR_JSON_KEY(path, "indices"), given->indices, ZR_GLTF_ACCESSORS)) return false;
+    note_count(file, given->indices, 3 * given->draco->face_count);
+    return true;
 }
 
 /* True if the request lacks the compressed data, and the accessors have uncompressed ones. */

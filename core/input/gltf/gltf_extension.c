@@ -11,7 +11,34 @@ static const char *const known[] = {"EXT_mesh_gpu_instancing", "EXT_meshopt_comp
                                     "KHR_lights_punctual",     "KHR_materials_emissive_strength",
                                     "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
                                     "KHR_materials_specular",  "KHR_materials_unlit",
-                                    "KHR_mesh_quantization",   "KHR_texture_transform"};
+                                    "KHR_mesh_quantization",   "KHR_meshopt_compression",
+                                    "KHR_texture_transform"};
+
+/* Beginnings of the names of extensions without which geometry and its place stay the same: a file that requires one is
+ * drawn, and a warning names it. */
+static const char *const shading[] = {"ADOBE_materials_",
+                                      "EXT_lights_",
+                                      "EXT_materials_",
+                                      "FB_materials_",
+                                      "KHR_audio",
+                                      "KHR_lights_",
+                                      "KHR_materials_",
+                                      "KHR_xmp",
+                                      "KHR_animation_pointer",
+                                      "KHR_node_hoverability",
+                                      "KHR_node_selectability",
+                                      "MPEG_audio",
+                                      "MSFT_packing_",
+                                      "MSFT_screencoverage",
+                                      "NV_materials_",
+                                      "EXT_texture_procedurals",
+                                      "EXT_structural_metadata",
+                                      "EXT_mesh_features",
+                                      "EXT_instance_features",
+                                      "EXT_feature_metadata",
+                                      "KHR_interactivity",
+                                      "KHR_physics_rigid_bodies",
+                                      "KHR_collision_shapes"};
 
 /* Extensions that files often require, with advice for the message. */
 static const struct {
@@ -32,6 +59,13 @@ static bool is_known(const char *name)
     return false;
 }
 
+static bool only_shades(const char *name)
+{
+    for (size_t i = 0; i < sizeof shading / sizeof *shading; i++)
+        if (strncmp(shading[i], name, strlen(shading[i])) == 0) return true;
+    return false;
+}
+
 /* Adds the name of a used extension to the warning, unless it is read. */
 static void note_used(struct zr_gltf *file, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
@@ -48,7 +82,7 @@ static void check_required(struct zr_gltf *file, struct zr_json *json, const str
     (void)number;
     if (!zr_json_string(json, path, &name)) return;
     if (strcmp(name, ZR_GLTF_DRACO) == 0) file->requires_draco = true;
-    if (!is_known(name))
+    if (!is_known(name) && !only_shades(name))
         zr_json_fault(json, path, "the file requires the extension %s, which is not read%s",
                       zr_quote(name, strlen(name)).text, find_advice(name));
 }

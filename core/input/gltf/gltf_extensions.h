@@ -5,9 +5,10 @@
 #include "input/codecs/meshopt.h"
 #include "input/gltf/gltf_file.h"
 
-/* ---- gltf_meshopt.c: EXT_meshopt_compression ---- */
+/* ---- gltf_meshopt.c: both extensions are read alike ---- */
 
-#define ZR_GLTF_MESHOPT "EXT_meshopt_compression"
+#define ZR_GLTF_MESHOPT     "EXT_meshopt_compression"
+#define ZR_GLTF_KHR_MESHOPT "KHR_meshopt_compression"
 
 /* Reads the extension of a view. `path` leads to the extension. */
 struct zr_gltf_compressed {

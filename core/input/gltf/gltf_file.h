@@ -67,7 +67,8 @@ struct zr_gltf_span {
 struct zr_gltf_view {
     struct zr_gltf_span span;
     uint32_t stride;          /* 0: packed */
-    const char *compressed;   /* JSON text of EXT_meshopt_compression, or NULL */
+    const char *compressed;   /* JSON text of the extension `compression`, or NULL */
+    const char *compression;  /* EXT_meshopt_compression or KHR_meshopt_compression */
     enum zr_gltf_state state; /* state of `bytes`, the decompressed bytes */
     struct zr_parsed_bytes bytes;
     enum zr_gltf_state mesh_state;
@@ -125,6 +126,7 @@ struct zr_gltf_values {
     const unsigned char *sparse_indices, *sparse_values;
     double limit; /* of magnitudes, if they are read as floats; FLT_MAX until the caller sets it */
     bool mends;   /* elements that are not finite are read as 0, with a note */
+    bool holes;   /* they are read as NaN, with another note */
 };
 
 /* Elements of an accessor. */
@@ -220,6 +222,9 @@ struct zr_gltf {
     const struct zr_recenter_move **moves; /* one per mesh of the scene, or NULL */
     struct zr_model_scene *made;
     struct zr_gltf_note child_roots, second_parents, no_rotation; /* nodes */
+    struct zr_gltf_note holes;                                    /* positions that are not finite */
+    struct zr_gltf_note short_buffers,
+        other_counts; /* fewer bytes than byteLength; other counts than compressed data */
     struct zr_gltf_note missing_images, not_finite, wide_texcoords, zero_strides, bad_cameras;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, clamped_spots, specular_textures, gloss_textures;

@@ -1,9 +1,9 @@
-/* EXT_meshopt_compression: buffer views whose bytes are compressed. */
+/* EXT_meshopt_compression and KHR_meshopt_compression: buffer views whose bytes are compressed. */
 #include "input/gltf/gltf_extensions.h"
 
 static const char *const mode_words[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
-static const char *const filter_words[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
-static const struct zr_names modes = ZR_NAMES(3, mode_words), filters = ZR_NAMES(4, filter_words);
+static const char *const filter_words[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
+static const struct zr_names modes = ZR_NAMES(3, mode_words), filters = ZR_NAMES(5, filter_words);
 
 enum { BUFFER, LENGTH, STRIDE, COUNT, MODE };
 #define AT(member) offsetof(struct zr_gltf_compressed, member)
@@ -18,7 +18,7 @@ static const struct zr_json_field fields[] = {
     {.key = "filter", .read = zr_json_choice, .offset = AT(layout.filter), .words = &filters},
     ZR_GLTF_COMMON};
 #undef AT
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF(ZR_GLTF_MESHOPT, fields);
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("meshopt_compression", fields);
 
 bool zr_gltf_read_compressed(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_gltf_view *view,
                              struct zr_gltf_compressed *out)
@@ -39,7 +39,8 @@ bool zr_gltf_decompress(struct zr_gltf *file, const struct zr_json_path *path, c
     const struct zr_meshopt *of = &given->layout;
     const size_t size = (size_t)of->count * of->stride;
     struct zr_reason reason = {""};
-    if (!zr_meshopt_check(of, packed->size, &reason)) return zr_json_fault(json, path, "%s", reason.text);
+    if (!zr_meshopt_check(of, packed->bytes, packed->size, &reason))
+        return zr_json_fault(json, path, "%s", reason.text);
     unsigned char *bytes = zr_gltf_allocate(file, size, 1);
     if (!bytes) return false;
     if (!zr_meshopt_decode(of, packed->bytes, packed->size, bytes, json->cancel, &reason))

@@ -99,6 +99,10 @@ bool zr_gltf_make_primitive(struct zr_gltf *file, const struct zr_json_path *pat
  * warning counts. */
 bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_gltf_making *making);
 
+/* Leaves out the faces, lines and points at positions whose x is NaN, and sets these to a finite position. False if
+ * memory is lacking, or if nothing is left, which a warning counts. */
+bool zr_gltf_drop_holes(struct zr_gltf *file, const struct zr_gltf_making *making, zr_vec4 *positions);
+
 /* ---- gltf_draco.c: KHR_draco_mesh_compression ---- */
 
 /* Decodes the mesh of a primitive with the extension, once per view. Sets given->draco, and `decoded` of the accessors

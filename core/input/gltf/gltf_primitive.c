@@ -7,7 +7,6 @@
 #include "base/cancel.h"
 #include "base/srgb.h"
 #include "input/codecs/draco.h"
-#include "scene/texture.h"
 
 /* Colours per encoding pass, on the stack. */
 enum { AT_ONCE = 256 };
@@ -26,8 +25,11 @@ static zr_vec4 *read_positions(struct zr_gltf *file, struct zr_gltf_values *valu
     zr_vec4 *positions = zr_gltf_allocate(file, count, sizeof *positions);
     const struct zr_limits *limits = file->json.limits;
     const bool is_bent = file->uses[file->use].skin != ZR_GLTF_NONE;
+    const uint32_t holes = file->holes.count;
     values->limit = is_bent ? (double)limits->coordinate_max : zr_recenter_limit(limits);
+    values->holes = true;
     if (!positions || !zr_gltf_read_floats(file, values, &making->range, &positions[0].x, 4)) return NULL;
+    if (file->holes.count > holes && !zr_gltf_drop_holes(file, making, positions)) return NULL;
     const float near = limits->coordinate_max;
     bool is_far = false;
     for (uint32_t i = 0; i < count; i++) {
@@ -85,7 +87,6 @@ static bool read_texcoords(struct zr_gltf *file, const struct zr_gltf_making *ma
         struct zr_gltf_values values;
         if (numbers[set] == ZR_GLTF_NONE) continue;
         if (!zr_gltf_open_attribute(file, &of, &values)) return false;
-        values.limit = (double)ZR_TEXCOORD_MAX;
         values.mends = true;
         if (of.shape == ZR_GLTF_VEC3) zr_gltf_note(&file->wide_texcoords, ZR_JSON_KEY(of.path, of.name));
         values.width = 2;

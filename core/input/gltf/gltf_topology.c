@@ -1,6 +1,9 @@
 /* Makes faces, lines and points of the modes of glTF. Source: glTF 2.0, section 3.7.2.1. */
 #include "input/gltf/gltf_parts.h"
 
+#include <math.h>
+#include <string.h>
+
 /* Returns corner `i`: an index, or vertex `i` if there are no indices. */
 static inline uint32_t corner(const uint32_t *corners, uint32_t i)
 {
@@ -88,4 +91,41 @@ bool zr_gltf_make_topology(struct zr_gltf *file, const struct zr_gltf_making *ma
     default:
         return make_triangles(file, mode, corners, count, mesh);
     }
+}
+
+/* ---- holes ---- */
+
+/* Keeps the groups of `per` vertices without a hole. Returns their number. */
+static uint32_t keep(const zr_vec4 *positions, const uint32_t *from, uint32_t count, uint32_t per)
+{
+    uint32_t *numbers = (uint32_t *)from, kept = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t *group = from + (size_t)i * per;
+        bool has_hole = false;
+        for (uint32_t k = 0; k < per; k++)
+            has_hole = has_hole || isnan(positions[group[k]].x);
+        if (!has_hole) memmove(numbers + (size_t)kept++ * per, group, per * sizeof *numbers);
+    }
+    return kept;
+}
+
+bool zr_gltf_drop_holes(struct zr_gltf *file, const struct zr_gltf_making *making, zr_vec4 *positions)
+{
+    struct zr_mesh *mesh = making->mesh;
+    const uint32_t count = making->range.count;
+    uint32_t good = 0;
+    if (mesh->face_count > 0) mesh->indices = list(file, (uint32_t *)mesh->indices, 3 * mesh->face_count);
+    if (mesh->face_count > 0 && !mesh->indices) return false;
+    mesh->face_count = keep(positions, mesh->indices, mesh->face_count, 3);
+    mesh->line_count = keep(positions, mesh->lines, mesh->line_count, 2);
+    mesh->point_count = keep(positions, mesh->points, mesh->point_count, 1);
+    if (mesh->face_count + mesh->line_count + mesh->point_count == 0) {
+        zr_gltf_note(&file->empty, making->path);
+        return false;
+    }
+    while (isnan(positions[good].x))
+        good++;
+    for (uint32_t i = 0; i < count; i++)
+        if (isnan(positions[i].x)) positions[i] = positions[good];
+    return true;
 }

@@ -133,16 +133,17 @@ static bool refuse(struct zr_gltf *file, const struct zr_gltf_values *values, ui
     return false;
 }
 
-/* Sets an element to 0 if it has a number that is not finite. */
+/* Sets an element to 0, or makes it a hole, if it has a number that is not finite. */
 static bool mend(struct zr_gltf *file, const struct zr_gltf_values *values, float *at)
 {
     struct zr_json_path room[2];
     bool is_finite = true;
     for (uint32_t k = 0; k < values->width; k++)
         is_finite = is_finite && isfinite(at[k]);
-    if (is_finite || !values->mends) return false;
-    zr_gltf_note(&file->not_finite, path_of(values, room));
+    if (is_finite || !(values->mends || values->holes)) return false;
+    zr_gltf_note(values->holes ? &file->holes : &file->not_finite, path_of(values, room));
     put_zeros(values->width, 1, at, values->width);
+    if (values->holes) at[0] = NAN;
     return true;
 }
 
@@ -238,6 +239,12 @@ static void copy_indices(const struct zr_gltf_values *values, uint32_t first, ui
             out[i] = read_u32(at + i * values->stride);
 }
 
+/* Returns the largest index of a type, which OpenGL and others take as the restart of a strip. */
+static uint32_t most_of(uint32_t type)
+{
+    return type == ZR_GLTF_UINT8 ? UINT8_MAX : type == ZR_GLTF_UINT16 ? UINT16_MAX : UINT32_MAX;
+}
+
 bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *values, uint32_t end, uint32_t *out,
                           struct zr_gltf_range *range)
 {
@@ -265,5 +272,6 @@ bool zr_gltf_read_indices(struct zr_gltf *file, const struct zr_gltf_values *val
     uint32_t bad = 0;
     while (out[bad] < end)
         bad++;
-    return zr_json_fault(&file->json, path_of(values, room), "index %u is %u, of %u vertices", bad, out[bad], end);
+    return zr_json_fault(&file->json, path_of(values, room), "index %u is %u, of %u vertices%s", bad, out[bad], end,
+                         out[bad] == most_of(type) ? "; glTF has no primitive restart" : "");
 }

@@ -43,6 +43,12 @@ void zr_gltf_warn(struct zr_gltf *file)
             "channels target properties that are not read");
     warn_of(file, all, &file->zero_strides, "0, taken as elements without gaps",
             "strides are 0 and are taken as elements without gaps");
+    warn_of(file, all, &file->holes, "a position is not finite: what is drawn there is left out",
+            "positions are not finite: what is drawn there is left out");
+    warn_of(file, all, &file->short_buffers, "more than there are bytes; those that are used are there",
+            "buffers have fewer bytes than their byteLength; those that are used are there");
+    warn_of(file, all, &file->other_counts, "not the count of the compressed data, which is drawn",
+            "accessors have not the count of the compressed data, which is drawn");
     warn_of(file, all, &file->not_finite, "an element is not finite, and taken as 0",
             "elements of attributes are not finite and are taken as 0");
     warn_of(file, colors, &file->wide_texcoords, "VEC3, of which the first two numbers are read",

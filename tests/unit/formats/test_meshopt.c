@@ -1,4 +1,4 @@
-/* Tests the decoder of EXT_meshopt_compression: its three modes, its filters, and broken bytes. */
+/* Tests the decoder of EXT_ and KHR_meshopt_compression: its three modes, both versions of attributes, its filters, and broken bytes. */
 #include <math.h>
 #include <string.h>
 
@@ -12,7 +12,7 @@ static bool decode(const struct zr_meshopt *of, const unsigned char *bytes, size
                    struct zr_reason *reason)
 {
     *reason = (struct zr_reason){""};
-    return zr_meshopt_check(of, size, reason) && zr_meshopt_decode(of, bytes, size, out, NULL, reason);
+    return zr_meshopt_check(of, bytes, size, reason) && zr_meshopt_decode(of, bytes, size, out, NULL, reason);
 }
 
 /* 16 elements of 4 bytes: the group of deltas of the specification's example in the first byte, two-bit deltas in the
@@ -37,6 +37,39 @@ TEST(attributes_are_deltas_of_bytes)
         assert_int_equal(out[4 * i + 2], i < 15 ? 31 : 30);
         assert_int_equal(out[4 * i + 3], 40);
     }
+}
+
+/* Version 1: 3 elements of 8 bytes. The first channel has numbers of 2 bytes: single bits, zeros, bytes, zeros. The
+ * second has a number of 4 bytes, turned by 28 bits and added by xor. */
+TEST(version_1_has_channels)
+{
+    static const uint32_t wanted[] = {0x00060003, 0x13345678, 0x00050003, 0x13345678, 0x00050001, 0x13245678};
+    const struct zr_meshopt of = {ZR_MESHOPT_ATTRIBUTES, ZR_MESHOPT_NONE, 3, 8};
+    unsigned char out[24];
+    struct zr_reason reason;
+    const bool good = decode(&of,
+                             BYTES(0xA1, 0xB8, 0xEA, 1, 5, 0, 4, 3, 2, 1, 0, 0x10, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+                                   0, 0, 0, 0, 1, 0, 5, 0, 0x78, 0x56, 0x34, 0x12, 1, 0x42),
+                             out, &reason);
+    if (!good) fail_msg("%s", reason.text);
+    for (int i = 0; i < 6; i++) {
+        const unsigned char *at = out + 4 * i;
+        const uint32_t found = at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
+        if (found != wanted[i]) fail_msg("number %d is %08x", i, found);
+    }
+    assert_false(decode(&of, BYTES(0xA1, 0xAA, 0xAA, ZEROS_16, 0, 0, 0, 0, 0, 0, 3, 0), out, &reason));
+}
+
+TEST(the_filter_color_restores_red_green_and_blue)
+{
+    uint8_t bytes[] = {100, 20, 246, 255, 7, 0, 0, 8, 1, 2, 3, 0};
+    static const uint8_t wanted[] = {130, 90, 90, 255, 119, 119, 119, 0, 0, 0, 0, 0};
+    uint16_t wide[] = {1000, 0xFFFE, 3, 0x8001};
+    const struct zr_meshopt of = {ZR_MESHOPT_ATTRIBUTES, ZR_MESHOPT_COLOR, 3, 4}, of_wide = {0, ZR_MESHOPT_COLOR, 1, 8};
+    zr_meshopt_filter(&of, bytes, 3);
+    assert_memory_equal(bytes, wanted, sizeof wanted);
+    zr_meshopt_filter(&of_wide, (unsigned char *)wide, 1);
+    assert_true(wide[0] == 995 && wide[1] == 1003 && wide[2] == 999 && wide[3] == 3);
 }
 
 TEST(elements_of_a_short_group_are_ignored)
