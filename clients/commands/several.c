@@ -35,8 +35,9 @@ static const char *find_output(const struct options *options)
 int command_turntable(struct options *options)
 {
     const char *ending = strrchr(find_output(options), '.');
-    const bool is_webp = ending && strcasecmp(ending, ".webp") == 0; /* chosen by the ending (output.h) */
+    /* chosen by the ending (output.h) */
+    const bool is_moving = ending && (strcasecmp(ending, ".webp") == 0 || strcasecmp(ending, ".gif") == 0);
     suggest(options, PARAMETER_turntable, "36");
-    if (!options->parameters[PARAMETER_channel] && !is_webp) suggest(options, PARAMETER_encoding, "apng");
+    if (!options->parameters[PARAMETER_channel] && !is_moving) suggest(options, PARAMETER_encoding, "apng");
     return command_render(options);
 }

@@ -15,7 +15,7 @@
     ROW(sheet, 's', "FILE [-o OUTPUT] [OPTION]...",                                                                    \
         "draws several sides into one picture at one scale: --sheet threeView or balanced, or --views")                \
     ROW(turntable, 't', "FILE [-o OUTPUT] [OPTION]...",                                                                \
-        "draws an animated PNG or WebP: the camera turns once around FILE")                                            \
+        "draws an animated PNG, WebP or GIF: the camera turns once around FILE")                                            \
     ROW(compare, 'c', "A.png B.png [-o DIFF.png]", "counts the pixels that differ; exit status 4 if any do")           \
     ROW(watch, 'w', "FILE [-o OUTPUT] [OPTION]...", "draws the file again whenever it changes")                        \
     ROW(mcp, 'm', "--root DIR [OPTION]...",                                                                            \

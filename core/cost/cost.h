@@ -62,7 +62,8 @@
     ROW(SMALL_PNG_PIXEL, 18.0, "pixels of PNG files that are compressed well")                                         \
     ROW(JPEG_PIXEL, 8.0, "pixels of JPEG files, for each try of a quality")                                            \
     ROW(WEBP_PIXEL, 70.0, "pixels of WebP files, for each try of a quality")                                           \
-    ROW(LOSSLESS_WEBP_PIXEL, 80.0, "pixels of lossless WebP files")
+    ROW(LOSSLESS_WEBP_PIXEL, 80.0, "pixels of lossless WebP files")                                                    \
+    ROW(GIF_PIXEL, 15.0, "pixels of GIF files")
 
 enum zr_cost_kind {
 #define ZR_COST_ENUM(ID, ...) ZR_COST_##ID,

@@ -8,6 +8,7 @@
 #include "base/rgba.h"
 #include "base/run.h"
 #include "output/images/depth16.h"
+#include "output/images/gif.h"
 #include "output/images/lossy.h"
 #include "output/images/png.h"
 #include "output/images/tiff.h"
@@ -167,6 +168,15 @@ static enum zr_status encode_lossy(struct encoding *e, const struct zr_output *o
     return ZR_OK;
 }
 
+static enum zr_status encode_gif(const struct encoding *e, struct zr_buffer *out)
+{
+    const struct zr_gif gif = {.width = e->frame->width,
+                               .height = e->frame->height,
+                               .rgba = (const uint8_t *)e->frame->color,
+                               .has_alpha = e->scene->background.w < 1.0f};
+    return zr_gif_write(&gif, e->run->cancel, out);
+}
+
 /* Refuses a file of more bytes than the output allows. */
 static enum zr_status check_size(const struct encoding *e, uint32_t number, size_t size)
 {
@@ -215,6 +225,8 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     case ZR_ENCODING_JPEG:
     case ZR_ENCODING_WEBP:
         return encode_lossy(e, output, out);
+    case ZR_ENCODING_GIF:
+        return encode_gif(e, out);
     case ZR_ENCODING_ZIP:
         return zr_masks_zip_write(f, e->run->cancel, e->run->error, out);
     case ZR_ENCODING_COUNT:

@@ -31,7 +31,8 @@ enum zr_values {
  * one first) */
 #define ZR_CHANNEL_ROWS(ROW)                                                                                           \
     ROW(COLOR, "color", "the picture; RGBA if the background is not opaque, else RGB", RGBA, 1, ZERO, false, 0,        \
-        ZR_ENCODING_PNG, ZR_ENCODING_PNG32, ZR_ENCODING_SVG, ZR_ENCODING_APNG, ZR_ENCODING_JPEG, ZR_ENCODING_WEBP)     \
+        ZR_ENCODING_PNG, ZR_ENCODING_PNG32, ZR_ENCODING_SVG, ZR_ENCODING_APNG, ZR_ENCODING_JPEG, ZR_ENCODING_WEBP,      \
+        ZR_ENCODING_GIF)                                                                                               \
     ROW(DEPTH, "depth", "depth in eye space along the view axis, in scene units", FLOAT32, 1, INFINITY, false, 0,      \
         ZR_ENCODING_NPY, ZR_ENCODING_PNG16, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                         \
     ROW(WINDOW_DEPTH, "windowDepth", "value of the z-buffer, 0 to 1", FLOAT32, 1, ONE, false, 0, ZR_ENCODING_NPY,      \

@@ -49,7 +49,9 @@ enum {
             ZR_ENCODING_FOR_AGENTS,                                                                                    \
         16383, WEBP_PIXEL, "WebP, of a given quality or without loss; animated for a turntable")                       \
     ROW(ZIP, "zip", "zip", "", "application/zip", "a ZIP archive of several outputs", 0, 0, NONE,                      \
-        "archive of one PNG per mask")
+        "archive of one PNG per mask")                                                                                 \
+    ROW(GIF, "gif", "gif", "", "image/gif", "a GIF", ZR_ENCODING_BY_ENDING, 65535, GIF_PIXEL,                          \
+        "GIF of at most 256 colours; animated for a turntable")
 
 #define ZR_ENCODING_LISTED(ID, word, ...) word ", "
 #define ZR_ENCODING_LIST                  ZR_ENCODING_ROWS(ZR_ENCODING_LISTED)

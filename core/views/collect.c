@@ -4,6 +4,7 @@
 
 #include "base/run.h"
 #include "output/images/apng.h"
+#include "output/images/gif.h"
 #include "output/images/webp_frames.h"
 #include "output/npy.h"
 #include "scene/output.h"
@@ -14,10 +15,11 @@
 /* Files of one output of all views. */
 struct sink {
     const struct zr_output *output;
-    enum { EACH, STACK, APNG, WEBP, SHEET, SHEET_INFO } kind;
+    enum { EACH, STACK, APNG, WEBP, GIF, SHEET, SHEET_INFO } kind;
     struct zr_buffer out;
     struct zr_apng apng;
     struct zr_webp_frames webp;
+    struct zr_gif_frames gif;
 };
 
 /* Number of views that have a warning, and the first of them. */
@@ -55,6 +57,7 @@ static enum zr_status add_rows(struct sink *sink, const struct zr_zip_entry *ent
 static enum zr_status add_frame(struct collecting *c, struct sink *sink, uint32_t number,
                                 const struct zr_zip_entry *entry)
 {
+    if (sink->kind == GIF) return zr_gif_frames_add(&sink->gif, entry->bytes, entry->size);
     const bool is_apng = sink->kind == APNG;
     const enum zr_status status = is_apng ? zr_apng_add(&sink->apng, entry->bytes, entry->size)
                                           : zr_webp_frames_add(&sink->webp, entry->bytes, entry->size);
@@ -92,6 +95,7 @@ static enum zr_status take_files(struct collecting *c, const struct zr_drawn_vie
             break;
         case APNG:
         case WEBP:
+        case GIF:
             status = add_frame(c, sink, view->number, entry);
             break;
         case SHEET_INFO:
@@ -167,7 +171,10 @@ static enum zr_status open_sink(struct collecting *c, const struct zr_output *ou
         sink->kind = APNG;
     else if (output->encoding == ZR_ENCODING_WEBP && zr_view_set_has_times(set))
         sink->kind = WEBP;
+    else if (output->encoding == ZR_ENCODING_GIF && zr_view_set_has_times(set))
+        sink->kind = GIF;
     const double seconds = zr_view_set_has_times(set) ? set->seconds / set->count : 1.0;
+    sink->gif = (struct zr_gif_frames){.out = &sink->out, .frames = set->count, .seconds = seconds};
     sink->apng = (struct zr_apng){.out = &sink->out, .frames = set->count, .seconds = seconds};
     sink->webp = (struct zr_webp_frames){.out = &sink->out,
                                          .frames = set->count,
@@ -241,13 +248,22 @@ static enum zr_status take(void *context, const struct zr_drawn_view *view, stru
     return ZR_OK;
 }
 
-/* Refuses a number of bytes for an animated WebP, whose size is known after the last frame. */
-static enum zr_status check_sizes(const struct zr_views *views, struct zr_error *error)
+/* Refuses a number of bytes for an animated WebP, whose size is known after the last frame, and frames of a GIF that
+ * browsers would slow down. */
+static enum zr_status check_animation(const struct zr_views *views, struct zr_error *error)
 {
     const struct zr_view *view = &views->scene->views[0];
+    const double seconds = views->set->seconds / views->set->count;
     const bool is_animated = zr_view_set_has_times(views->set) && !views->scene->sheet.is_on;
     for (uint32_t i = 0; is_animated && i < view->output_count; i++) {
         char pointer[48];
+        if (view->outputs[i].encoding == ZR_ENCODING_GIF && seconds < ZR_GIF_SECONDS_MIN - 1e-9) {
+            snprintf(pointer, sizeof pointer, "/outputs/%u/encoding", i);
+            return zr_error_add(error, ZR_BAD_SCENE, pointer,
+                                "a gif shows each frame for %g seconds or more, but these have %g: fewer frames, more "
+                                "seconds, or apng",
+                                ZR_GIF_SECONDS_MIN, seconds);
+        }
         if (view->outputs[i].encoding != ZR_ENCODING_WEBP || view->outputs[i].max_bytes == 0) continue;
         snprintf(pointer, sizeof pointer, "/outputs/%u/maxBytes", i);
         return zr_error_add(error, ZR_BAD_SCENE, pointer, "an animated webp has none: quality makes it smaller");
@@ -263,7 +279,7 @@ enum zr_status zr_views_draw(const struct zr_run *run, struct zr_views *views, s
         .files = files,
     };
     const struct zr_views_taker taker = {take, &collecting};
-    enum zr_status status = check_sizes(views, run->error);
+    enum zr_status status = check_animation(views, run->error);
     if (status == ZR_OK) status = zr_views_draw_each(run, views, taker);
     return status == ZR_OK ? close_files(&collecting) : status;
 }

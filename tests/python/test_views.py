@@ -95,6 +95,7 @@ class Views(unittest.TestCase):
             self.assertEqual(saved(turn, "t.png"), turn._repr_png_())
             self.assertEqual(saved(turn, "t.APNG"), turn._repr_png_())
             self.assertEqual(saved(turn, "t.webp"), turn.animation("webp").content)
+            self.assertEqual(saved(turn, "t.gif")[:6], b"GIF89a")
             self.assertEqual(saved(views, "v.png"), views.sheet().content)
             self.assertIn(b"acTL", saved(views, "v.apng"))
             saved(turn, "t.npz")
@@ -107,7 +108,7 @@ class Views(unittest.TestCase):
             self.assertEqual(sorted(os.listdir(os.path.join(folder, "all"))), names)
             self.assertEqual(support.read(os.path.join(folder, "all/0002.color.png")), turn[1].file("color"))
             self.assertEqual(saved(turn, "t.zip")[:4], b"PK\3\4")
-            for made, name, why in ((turn, "t.npy", "has all"), (turn, "t.gif", "but .png"), (views, "v.webp", "apng is allowed")):
+            for made, name, why in ((turn, "t.npy", "has all"), (turn, "t.bmp", "but .png"), (views, "v.webp", "apng is allowed")):
                 with self.assertRaisesRegex(zraster.OptionError, why):
                     saved(made, name)
 

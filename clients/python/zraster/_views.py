@@ -106,21 +106,22 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
         return self._joined(repr(sorted(options.items())), {"channel": "color"}, options)
 
     def animation(self, encoding: str = "apng", **output: Any) -> Picture:
-        """Draws all views as frames. encoding: "apng" or "webp"; output: quality=80 or lossless=True for webp."""
-        if encoding not in ("apng", "webp") or (encoding == "webp" and not self._is_turn):
-            raise OptionError(f"encoding: {encoding!r}: apng is allowed{', and webp' if self._is_turn else ''}")
+        """Draws all views as frames. encoding: "apng", or "webp" or "gif" of a turntable; output: quality=80 or
+        lossless=True for webp."""
+        if encoding not in ("apng", "webp", "gif") or (encoding != "apng" and not self._is_turn):
+            raise OptionError(f"encoding: {encoding!r}: apng is allowed{', and webp and gif' if self._is_turn else ''}")
         if encoding == "apng" and [o.get("encoding") for o in self._outputs] == ["apng"]:
             return self._drawn
         return self._joined(repr((encoding, sorted(output.items()))), {"channel": "color", "encoding": encoding, **output}, {})
 
     def save(self, path: Any) -> None:
-        """Writes files by the ending of the path: .png: the animation of a turntable, else the sheet; .apng, .webp: the
-        animation; .npz: arrays by channel; .npy: the only channel; .zip: a file for each view and channel, which a path that
+        """Writes files by the ending of the path: .png: the animation of a turntable, else the sheet; .apng, .webp, .gif:
+        the animation; .npz: arrays by channel; .npy: the only channel; .zip: a file for each view and channel, which a path that
         ends with / writes into that folder."""
         name = os.fspath(path)
         suffix = os.path.splitext(name)[1].lower()
         suffix = spelled(suffix)
-        if suffix in (".apng", ".webp"):
+        if suffix in (".apng", ".webp", ".gif"):
             data = self.animation(suffix[1:]).content
         elif suffix == ".png":
             data = (self.animation() if self._is_turn else self.sheet()).content
@@ -134,7 +135,7 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
                 _write(os.path.join(name, file), content)
             return None
         else:
-            raise OptionError(f"{name}: views have no file for this ending, but .png, .apng, .webp, .npz, .npy and .zip")
+            raise OptionError(f"{name}: views have no file for this ending, but .png, .apng, .webp, .gif, .npz, .npy and .zip")
         return _write(path, data)
 
     def _save_arrays(self, path: Any, suffix: str) -> None:

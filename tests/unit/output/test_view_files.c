@@ -2,6 +2,7 @@
 #include "base/run.h"
 #include "output/images/webp_frames.h"
 #include "output/npy.h"
+#include "support/pictures/gif.h"
 #include "support/pictures/png.h"
 #include "unit/common/views_check.h"
 
@@ -211,11 +212,41 @@ TEST_AROUND(frames_of_an_animated_webp_have_the_bytes_of_their_views, open_arena
 TEST_AROUND(pictures_of_views_without_times_are_no_animation, open_arena, close_arena)
 {
     struct zr_views views;
-    const struct zr_files files = draw(SCENE ", \"outputs\": [{\"channel\": \"color\", \"encoding\": \"webp\"}], "
-                                             "\"views\": [\"front\", \"top\"]}",
-                                       &views);
-    assert_int_equal(files.count, 2);
+    const struct zr_files files =
+        draw(SCENE ", \"outputs\": [{\"channel\": \"color\", \"encoding\": \"webp\"}, {\"channel\": \"color\", "
+                   "\"encoding\": \"gif\"}], \"views\": [\"front\", \"top\"]}",
+             &views);
+    assert_int_equal(files.count, 4);
     file_of(&files, "front.color.webp");
+    file_of(&files, "front.color.gif");
+}
+
+TEST_AROUND(a_gif_of_a_turntable_has_the_pictures_of_its_views, open_arena, close_arena)
+{
+    struct zr_views views;
+    const struct zr_files files = draw(SCENE ", \"outputs\": [{\"channel\": \"color\", \"encoding\": \"gif\"}], "
+                                             "\"turntable\": {\"frames\": 3, \"seconds\": 0.1}}",
+                                       &views);
+    assert_int_equal(files.count, 1);
+    assert_string_equal(files.entries[0].name, "color.gif");
+    assert_string_equal(files.types[0], "image/gif");
+    struct gif gif = gif_open(files.entries[0].bytes, files.entries[0].size);
+    for (uint32_t i = 0; i < 3; i++) {
+        static const uint32_t times[] = {3, 4, 3};
+        static uint8_t made[4 * 80 * 60], expected[4 * 80 * 60];
+        const struct zr_frame *frame;
+        struct zr_files alone;
+        struct zr_error error = {0};
+        const struct zr_scene *scene = scene_of_view(&views, i);
+        const struct zr_run run = {.arena = &arena, .error = &error};
+        assert_int_equal(zr_render(&run, scene, NULL, &frame), ZR_OK);
+        assert_int_equal(zr_encode_files(&run, scene, frame, NULL, &alone), ZR_OK);
+        struct gif still = gif_open(alone.entries[0].bytes, alone.entries[0].size);
+        assert_true(gif_next(&gif, made) && gif_next(&still, expected));
+        assert_memory_equal(made, expected, sizeof made);
+        assert_int_equal(gif.delay, times[i]);
+    }
+    assert_false(gif_next(&gif, NULL));
 }
 
 TEST_AROUND(a_webp_of_4_gib_is_refused, open_arena, close_arena)

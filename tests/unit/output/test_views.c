@@ -335,7 +335,9 @@ TEST_AROUND(wrong_views_are_refused_before_any_is_drawn, open_arena, close_arena
          "\"apng\"}]",
          "/views/1", "whether its background is opaque"},
         {"\"turntable\": {}, \"outputs\": [{\"channel\": \"color\", \"encoding\": \"webp\", \"maxBytes\": 9999}]",
-         "/outputs/0/maxBytes", "an animated webp has none"}};
+         "/outputs/0/maxBytes", "an animated webp has none"},
+        {"\"turntable\": {\"seconds\": 0.5}, \"outputs\": [{\"channel\": \"color\", \"encoding\": \"gif\"}]",
+         "/outputs/0/encoding", "a gif shows each frame for 0.02 seconds or more"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[2048];
         struct zr_views views;
