@@ -164,8 +164,8 @@ bool zr_svg_encode(const struct zr_svg_desc *desc, struct zr_buffer *out)
     print(out,
           "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.7g%s\" height=\"%.7g%s\" viewBox=\"0 0 %.7g %.7g\" "
           "fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
-          width, desc->unit, height, desc->unit, width, height, byte_of(desc->color.x), byte_of(desc->color.y),
-          byte_of(desc->color.z));
+          *desc->unit ? width : (double)desc->width, desc->unit, *desc->unit ? height : (double)desc->height,
+          desc->unit, width, height, byte_of(desc->color.x), byte_of(desc->color.y), byte_of(desc->color.z));
     print_paper(out, desc->paper);
     print(out, ">\n");
     print_lines(desc, out, sorted);

@@ -17,7 +17,7 @@ struct zr_svg_desc {
     const char *const *part_names;    /* by part: UTF-8, "": none */
     uint32_t width, height;           /* of the window, pixels */
     double pixel;                     /* length of a pixel in units of the output; more than 0 */
-    const char *unit;                 /* of the size: "mm", or "" */
+    const char *unit;                 /* of the size: "mm"; "": the size is that of the window in pixels */
     double widths[ZR_STROKE_CLASSES]; /* of lines, in units of the output */
     zr_vec3 color;                    /* sRGB-encoded, 0..1 */
     const zr_vec3 *paper;             /* colour behind the lines, likewise; NULL: none */

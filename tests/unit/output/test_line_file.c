@@ -45,7 +45,7 @@ static const char CUBE_IN_FRONT[] = "{" LINES FRONT SVG ", \"meshes\": [{\"name\
 TEST(a_scene_without_units_has_its_own)
 {
     const char *file = file_of(NULL, NULL, CUBE_IN_FRONT, NULL);
-    assert_has(file, "width=\"20\" height=\"10\" viewBox=\"0 0 20 10\"");
+    assert_has(file, "width=\"100\" height=\"50\" viewBox=\"0 0 20 10\"");
     assert_has(file, "data-name=\"box\"");
     assert_has(file, "<g class=\"outline\" stroke-width=\"0.2\">"); /* a pixel, 0.2 units */
 }

@@ -64,6 +64,8 @@ TEST(units_decide_about_size_and_decimals)
     assert_non_null(strstr(fine, "width=\"5mm\" height=\"2.5mm\" viewBox=\"0 0 5 2.5\""));
     assert_non_null(strstr(fine, "M1.000 1.250L2.000 1.250"));
     desc.pixel = 100;
+    desc.unit = "";
+    assert_non_null(strstr(encode(&desc), "width=\"20\" height=\"10\" viewBox=\"0 0 2000 1000\""));
     assert_non_null(strstr(encode(&desc), "M400 500L800 500"));
 }
 
