@@ -55,14 +55,46 @@ static void read_rows(png_structp png, png_infop info, struct pixels *pixels, pn
         }
 }
 
+static bool begins(const void *data, size_t size, const char *text, size_t text_size)
+{
+    return size >= text_size && memcmp(data, text, text_size) == 0;
+}
+
+/* Returns what a file is that begins as no PNG does. */
+static const char *format_of(const void *data, size_t size)
+{
+    static const struct {
+        const char *text;
+        size_t size;
+        const char *name;
+    } rows[] = {{"\xff\xd8\xff", 3, "a JPEG"},
+                {"RIFF", 4, "a WebP"},
+                {"GIF8", 4, "a GIF"},
+                {"II*", 4, "a TIFF"},
+                {"\x93NUMPY", 6, "an NPY file"},
+                {"PF\n", 3, "a PFM file"},
+                {"<svg", 4, "an SVG"},
+                {"<?xml", 5, "an XML file"},
+                {"PK\3\4", 4, "a ZIP archive"},
+                {"version https://git", 19, "a pointer of Git LFS, whose file is missing"}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (begins(data, size, rows[i].text, rows[i].size)) return rows[i].name;
+    return size ? "another file" : "empty";
+}
+
 bool pixels_read(struct pixels *pixels, const void *data, size_t size, struct bytes *faults)
 {
+    *pixels = (struct pixels){.width = 0};
+    if (!begins(data, size, "\x89PNG\r\n\x1a\n", 8)) {
+        bytes_print(faults, "it is %s: only PNGs are compared; draw it with the ending .png, or convert it",
+                    format_of(data, size));
+        return false;
+    }
     struct reading reading = {data, (const unsigned char *)data + size, faults};
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, fail, ignore);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     png_bytep *volatile rows = calloc(1, sizeof *rows);
     volatile bool ok = false;
-    *pixels = (struct pixels){.width = 0};
     if (info && rows && setjmp(png_jmpbuf(png)) == 0) {
         png_set_read_fn(png, &reading, read_bytes);
         read_rows(png, info, pixels, rows);

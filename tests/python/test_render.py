@@ -8,6 +8,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 import warnings
 
@@ -148,6 +149,13 @@ class SameBytes(unittest.TestCase):
             (os.path.join(support.scenes, "look-studio.json"), {}),
             (OBJ, {"look": "technical", "samples": 4, "color": "#ff6347"}),
             (support.stl(), {"size": (40, 30), "type": "stl"}),
+            (support.stl(), {"size": 30, "view": {"eye": [9, 8, 20]}, "samples": 4, "look": "clay"}),
+            (support.stl(), {"size": 30, "type": "stl", "view": [[1, 0, 0, 3], [0, 1, 0, -2], [0, 0, 1, 20], [0, 0, 0, 1]]}),
+            (OBJ, {"size": 30, "view": "front", "channels": ["color", "depth"], "background": "white", "isolate": "*"}),
+            (OBJ, {"size": 30, "lights": [{"type": "directional", "direction": [0, 1, -1]}], "look": "clay", "roughness": 0.4}),
+            (OBJ, {"size": 30, "lights": [{"type": "directional", "direction": [0, 0, -1]}, {"type": "point", "position": [1, 2, 3]}]}),
+            (OBJ, {"size": 30, "highlight": {"parts": 1, "color": "red"}, "light_direction": [0, 1, -1]}),
+            (OBJ, {"size": 30, "cancel": zraster.Cancel(), "renderer": zraster.Renderer(threads=1)}),
         ]
         for source, options in sources:
             with self.subTest(str(options)), quiet():
@@ -156,6 +164,20 @@ class SameBytes(unittest.TestCase):
                 there = zraster.render(source, server=self.daemon.address, **options)
                 self.assertEqual(there.content, here.content)
                 self.assertEqual((there.look, there.warnings, list(there)), (here.look, here.warnings, list(here)))
+
+    def test_server_cancel(self):
+        """a Cancel ends a call of a server, which then stops drawing; another call of the server is not ended"""
+        cancel = zraster.Cancel()
+        timer = threading.Timer(0.3, cancel.cancel)
+        timer.start()
+        with self.assertRaises(zraster.Cancelled):
+            zraster.render(support.slow(), server=self.daemon.address, cancel=cancel)
+        timer.join()
+        self.assertEqual(len(zraster.render(SCENE, "depth", server=self.daemon.address, cancel=zraster.Cancel())), 1)
+        with self.assertRaises(zraster.Cancelled):
+            zraster.Scene(SCENE, server=self.daemon.address).render(cancel=cancel)
+        with self.assertRaisesRegex(zraster.OptionError, "roughness: with server= and view, a mesh does not take it; a scene does"):
+            zraster.render(OBJ, server=self.daemon.address, view="front", roughness=0.5)
 
     @needs_numpy
     def test_server_arrays(self):
@@ -322,6 +344,23 @@ class Errors(unittest.TestCase):
         subprocess.run([sys.executable, "-c", code], check=True)
 
 
+    def test_without_numpy(self):
+        """arrays name numpy and the ways without it"""
+        code = (
+            "import sys, zraster\n"
+            "sys.modules['numpy'] = None\n"
+            "picture = zraster.render(b'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3', ['depth', 'color'], size=9)\n"
+            "assert picture.file('depth')[1:6] == b'NUMPY'\n"
+            "for get in (lambda: picture['depth'], lambda: picture.view('color'), lambda: picture.array):\n"
+            "    try:\n"
+            "        get()\n"
+            "        assert False\n"
+            "    except ImportError as error:\n"
+            "        assert 'arrays need numpy' in str(error) and 'picture.file(channel)' in str(error)\n"
+        )
+        subprocess.run([sys.executable, "-c", code], check=True)
+
+
 class Pictures(unittest.TestCase):
     def test_save(self):
         """the ending of a file selects what is saved"""
@@ -334,6 +373,12 @@ class Pictures(unittest.TestCase):
             with self.assertRaisesRegex(zraster.OptionError, r"a.gif: .* \.json, \.npy, \.png, \.zip"):
                 picture.save(os.path.join(folder, "a.gif"))
             self.assertFalse(os.path.exists(os.path.join(folder, "a.gif")))
+            for name, words in (
+                ("a.jpg", r'; draw it with \[{"channel": "color", "encoding": "jpeg"}\] as channels'), ("a.xyz", "; zraster writes no .xyz"),
+                ("a.tif", r'; draw it with \[{"channel": "depth", "encoding": "tiff"}\] as channels'),
+            ):  # fmt: skip
+                with self.assertRaisesRegex(zraster.OptionError, words):
+                    picture.save(os.path.join(folder, name))
             with open(os.path.join(folder, "b"), "wb") as file:
                 picture.save(file)
             self.assertEqual(support.read(os.path.join(folder, "b")), picture.content)

@@ -81,7 +81,7 @@ def render(
     renderer: threads and limits of its own; default: one renderer that the process shares
     cancel: a flag that ends the call. Ctrl-C, and other signals whose handlers raise, end a call of the main thread,
         and raise this flag
-    server: "http://host:port" of a daemon that draws instead, with the same bytes. ZRASTER_TOKEN is its token
+    server: "http://host:port" of a daemon that draws instead, with the same keywords and bytes. ZRASTER_TOKEN is its token
     options: parameters and keys of scenes in snake_case, such as look="technical", samples=16; options() lists all.
         They replace keys of a scene. Those of the camera (preset, azimuth, padding, ...) make a view, which for scenes
         and objects is orthographic by default
@@ -94,9 +94,7 @@ def render(
     """
     request = _make(source, channels, size, parts, {**options, "view": view, "root": root})
     if server is not None:
-        if cancel is not None:
-            raise OptionError("cancel: a server's call cannot be cancelled")
-        picture = _server.render(server, request, request.query, request.keys)
+        picture = _server.render(server, request, request.query, request.keys, cancel)
     else:
         picture = request.draw(given_or_shared(renderer), cancel)
     for line in request.warnings:

@@ -14,6 +14,18 @@ INLINE_MAX = 64  # numbers of an array that is written as a list: matrices, vect
 _CONVERTED = {"f2": "f4", "f16": "f8", "i1": "i4", "i2": "i4", "u2": "u4"}
 
 
+def load_numpy() -> Any:
+    """Returns numpy. Raises ImportError, which names the ways without it."""
+    try:
+        import numpy
+    except ImportError:
+        raise ImportError(
+            "arrays need numpy, which is not installed: python3 -m pip install numpy. Without it, picture.file(channel) "
+            "returns the file of a channel, and picture.save(path) writes it"
+        ) from None
+    return numpy
+
+
 def is_array(value: Any) -> bool:
     return hasattr(value, "__array_interface__") or hasattr(value, "__array__")
 
@@ -40,7 +52,7 @@ def whole(value: Any) -> Optional[int]:
 
 def as_numbers(value: Any) -> Any:
     """Converts an array to a type of the library, C order and native byte order. Copies it only if it has others."""
-    import numpy
+    numpy = load_numpy()
 
     if numpy.ma.is_masked(value):
         raise SceneError("a masked array lacks numbers: give .filled(number), or leave out its masked rows")
@@ -124,7 +136,7 @@ def npy(array: Any) -> bytes:
     """Returns an array as the bytes of an NPY file."""
     import io
 
-    import numpy
+    numpy = load_numpy()
 
     file = io.BytesIO()
     write: Any = numpy.lib.format.write_array

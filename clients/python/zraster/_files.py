@@ -7,6 +7,7 @@ import zipfile
 import zlib
 from typing import Any, Dict, List, Mapping, Tuple
 
+from ._arrays import load_numpy
 from ._errors import OptionError
 from ._renderer import shared
 
@@ -45,7 +46,7 @@ def masks(data: bytes) -> Dict[int, Dict[str, Any]]:
 
 def decode(channel: str, data: bytes) -> Any:
     """Returns the array of an NPY file or of a PNG with 8 bits per channel."""
-    import numpy
+    numpy = load_numpy()
 
     if data[:6] == b"\x93NUMPY":
         read: Any = numpy.lib.format.read_array
@@ -87,7 +88,7 @@ def frames(data: bytes) -> List[bytes]:
 
 def _unfilter(rows: Any, step: int) -> Any:
     """Undoes the filters of PNG rows: (h, 1 + bytes) u1. step: bytes per pixel."""
-    import numpy
+    numpy = load_numpy()
 
     kinds, rows = rows[:, 0], rows[:, 1:].copy()
     above = numpy.zeros(rows.shape[1], "u1")
@@ -118,7 +119,7 @@ def _unfilter_slowly(kind: int, row: Any, above: Any, step: int) -> None:
 
 def _decode_png(channel: str, data: bytes) -> Any:
     """Returns (h, w, 1), (h, w, 3) or (h, w, 4) u1 of a grey, RGB, RGBA or palette PNG, which is not interlaced."""
-    import numpy
+    numpy = load_numpy()
 
     chunks = _chunks(data)
     width, height, depth, kind = struct.unpack_from(">IIBB", chunks[b"IHDR"])

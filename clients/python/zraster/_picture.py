@@ -10,6 +10,7 @@ from ctypes import byref, c_void_p, string_at
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 from . import _library as c
+from ._arrays import load_numpy
 from ._errors import OptionError, Warning, expect, raise_status
 from ._files import decode, masks, spelled, suffix_of, unzip, zip_files
 from ._renderer import shared
@@ -54,7 +55,7 @@ class Drawn:
         if not c.library.picture_channel(self.handle.pointer, channel.encode(), byref(found)):
             file = self.encode(channel)  # of several views
             return decode(channel, file[0]) if file and file[1] in ("application/x-npy", "image/png") else None
-        import numpy
+        numpy = load_numpy()
 
         array = numpy.asarray(_Lent(self.handle, found))
         is_rgb = channel == "color" and not c.library.picture_has_alpha(self.handle.pointer)
@@ -110,6 +111,16 @@ class Files:
 
     def channels(self) -> List[str]:
         return list(self.files)
+
+
+def _way_to(suffix: str, channels: List[str]) -> str:
+    """Returns the way to a file with this ending, of a channel that can have one."""
+    names = [row["name"] for row in shared().tables["encodings"] if "." + row["suffix"] == suffix]
+    for row in shared().tables["channels"]:
+        for name in names:
+            if row["name"] in channels and name in row["encodings"]:
+                return f'; draw it with [{{"channel": "{row["name"]}", "encoding": "{name}"}}] as channels'
+    return "" if names else f"; zraster writes no {suffix}"
 
 
 class Info(Dict[str, Any]):
@@ -196,7 +207,8 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
         fitting = [data for data, type_ in choices if suffix in ("", suffix_of(type_))]
         if not fitting:
             there = ", ".join(sorted({suffix_of(type_) for _, type_ in choices}))
-            raise OptionError(f"{os.fspath(path)}: the picture has no file for this ending, but {there}")
+            way = _way_to(suffix, self._made.channels())
+            raise OptionError(f"{os.fspath(path)}: the picture has no file for this ending, but {there}{way}")
         with open(path, "wb") as file:
             file.write(fitting[0])
 

@@ -20,8 +20,10 @@ class Cancel:
         if not pointer:
             raise MemoryLimitError("the system has no memory for a cancel")
         self._handle = c.Handle(pointer, c.library.cancel_free)
+        self._is_raised = False  # for calls of a server
 
     def cancel(self) -> None:
+        self._is_raised = True
         c.library.cancel_raise(self._handle.pointer)
 
 

@@ -89,7 +89,7 @@ class Scene:
         keys = {**request.keys, **keys}
         keys.update(_poses(poses))
         if server is not None:
-            return _server.render(server, request, {**request.query, **query}, keys)
+            return _server.render(server, request, {**request.query, **query}, keys, cancel)
         return draw_change(handle, keys, query, cancel)  # type: ignore[arg-type]
 
     # ---- several views ----
@@ -147,7 +147,7 @@ class Scene:
             query, keys = _options.split(given, outputs, given.pop("size", size), request.source)
             keys = {**request.keys, **keys, **_poses(poses)}
             if server is not None:
-                return _server.render(server, request, {**request.query, **query}, keys)
+                return _server.render(server, request, {**request.query, **query}, keys, cancel)
             return request.merged(query, keys).draw(given_or_shared(renderer), cancel)
 
         return Views(names, is_turn, channels, draw)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping as AbstractMapping
 from typing import Any, Dict, Optional
 
-from ._arrays import is_array
+from ._arrays import is_array, load_numpy
 from ._errors import OptionTypeError
 from ._renderer import shared
 
@@ -71,7 +71,7 @@ def _list_of(value: Any) -> Any:
     """Keeps arrays and lists; vectors of others, such as Open3D's, become arrays."""
     if is_array(value) or isinstance(value, (list, tuple)):
         return value
-    import numpy
+    numpy = load_numpy()
 
     return numpy.asarray(value)
 

@@ -5,7 +5,7 @@ import os
 from collections.abc import Sequence as AbstractSequence
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
-from ._arrays import npy
+from ._arrays import load_numpy, npy
 from ._errors import OptionError, SceneError
 from ._files import frames, spelled, suffix_of, zip_files
 from ._options import outputs_of
@@ -72,7 +72,7 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
         return picture
 
     def _array(self, channel: str) -> Any:
-        import numpy
+        numpy = load_numpy()
 
         if channel not in [output["channel"] for output in self._outputs]:
             raise KeyError(f"{channel}: the views have {', '.join(o['channel'] for o in self._outputs)}")
@@ -139,7 +139,7 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
         return _write(path, data)
 
     def _save_arrays(self, path: Any, suffix: str) -> None:
-        import numpy
+        numpy = load_numpy()
 
         names = [output["channel"] for output in self._outputs]
         if suffix == ".npz":

@@ -12,6 +12,7 @@ import os
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
 
 from . import _stream
+from ._arrays import load_numpy
 from ._errors import OptionError
 
 __all__ = ["decode", "write"]
@@ -139,7 +140,7 @@ def decode(mask: Mapping[str, Any]) -> Any:
 
     Raises ValueError if it is none, such as one whose runs do not fill its size.
     """
-    import numpy
+    numpy = load_numpy()
 
     height, width = _size(mask)
     runs = _checked_runs(mask.get("counts"), height, width)
