@@ -88,6 +88,7 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
     is_closed = is_closed && cJSON_GetArraySize(parts) > hidden;
     if (hidden > 0) cJSON_AddNumberToObject(content, "partsHidden", hidden);
     copy(content, info, "explode");
+    copy(content, info, "origin");
     mcp_add(content, "volume", is_closed && omitted == 0 ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
     if (is_closed && omitted == 0 && error > 0) cJSON_AddNumberToObject(content, "volumeError", error);
     mcp_add(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
@@ -301,6 +302,10 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
     const double hidden = mcp_number_of(content, "partsHidden");
     if (hidden > 0) mcp_text_print(text, ", %.0f of them hidden: box and sums are of the others", hidden);
     if (mcp_get(content, "explode")) mcp_text_put(text, "; exploded: boxes and places are of the moved parts");
+    const cJSON *origin = mcp_get(content, "origin");
+    if (origin)
+        mcp_text_print(text, "; places are relative to the origin (%.10g, %.10g, %.10g) of the file",
+                       mcp_number_at(origin, 0), mcp_number_at(origin, 1), mcp_number_at(origin, 2));
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");
     const bool has_colors = have_colors(parts);
     cJSON_ArrayForEach(part, parts)

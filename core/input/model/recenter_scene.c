@@ -11,6 +11,22 @@ static bool is_moved(const struct zr_recenter_scene *scene)
     return is_any;
 }
 
+/* True if samples of the positions, as placed in float, are nearly remote: a remote scene's always are. */
+static bool may_be_remote(const struct zr_recenter_scene *scene)
+{
+    struct zr_box box = zr_box_empty();
+    for (uint32_t i = 0; i < scene->count; i++) {
+        const struct zr_instance *instance = &scene->instances[i];
+        const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
+        const uint32_t samples[3] = {0, mesh->position_count / 2, mesh->position_count - 1};
+        for (int k = 0; k < 3 && mesh->position_count > 0; k++) {
+            const zr_vec4 at = zr_mat4_apply(&instance->object_to_world, mesh->positions[samples[k]]);
+            zr_box_include(&box, (const double[]){(double)at.x, (double)at.y, (double)at.z});
+        }
+    }
+    return box.low[0] <= box.high[0] && zr_box_is_remote(&box, ZR_FAR_SIZES / 2.0);
+}
+
 bool zr_recenter_instances_needed(const struct zr_recenter_scene *scene, const struct zr_limits *limits)
 {
     const float limit = limits->coordinate_max;
@@ -19,7 +35,7 @@ bool zr_recenter_instances_needed(const struct zr_recenter_scene *scene, const s
         const float *at = &scene->instances[i].object_to_world.m[12];
         is_far = is_far || fabsf(at[0]) > limit || fabsf(at[1]) > limit || fabsf(at[2]) > limit;
     }
-    return is_far;
+    return is_far || may_be_remote(scene);
 }
 
 /* ---- bounds ---- */
@@ -78,7 +94,7 @@ static void include_corners(struct zr_box *all, const struct zr_box *box, const 
     }
 }
 
-/* True if the middle is beyond the limit, and the size is not too large to move it. */
+/* True if the middle is beyond the limit, and the size is not too large to move it; or if the scene is remote. */
 static bool has_far_middle(const struct zr_box *box, double limit)
 {
     bool is_far = false, is_small = true;
@@ -86,7 +102,7 @@ static bool has_far_middle(const struct zr_box *box, double limit)
         is_far = is_far || fabs(box->low[axis] / 2.0 + box->high[axis] / 2.0) > limit;
         is_small = is_small && (box->high[axis] - box->low[axis]) / 2.0 <= limit * ZR_FAR_HALF_EXTENTS;
     }
-    return is_far && is_small;
+    return (is_far && is_small) || (box->low[0] <= box->high[0] && zr_box_is_remote(box, ZR_FAR_SIZES));
 }
 
 /* ---- matrices ---- */

@@ -27,7 +27,7 @@ struct zr_recenter_scene {
     const struct zr_recenter_move *const *moves; /* one per mesh; NULL: its positions were not moved */
 };
 
-/* True if a mesh was moved, or if a matrix moves it beyond the limit. Ignores `exact`. */
+/* True if a mesh was moved, if a matrix moves it beyond the limit, or if the scene may be remote. Ignores `exact`. */
 bool zr_recenter_instances_needed(const struct zr_recenter_scene *scene, const struct zr_limits *limits);
 
 /* Subtracts the middle of positions that are floats in the file, if they are far. *move: NULL, or in the arena. */

@@ -205,7 +205,7 @@ static enum zr_status find_origin(struct parsing *parsing, const struct zr_limit
 static enum zr_status adjust(struct parsing *parsing, const struct zr_limits *limits, struct zr_mesh *mesh)
 {
     struct zr_obj_file *file = &parsing->file;
-    bool is_far = false, is_bytes = false;
+    bool is_far = zr_recenter_is_remote(file->positions, file->total.positions), is_bytes = false;
     for (size_t i = 0; i < file->part_count; i++) {
         is_far = is_far || file->parts[i].is_far;
         is_bytes = is_bytes || file->parts[i].color_most > COLOR_CLAMPED;

@@ -40,7 +40,7 @@ static bool find_used(struct zr_ply_file *file, const uint8_t **used)
 
 enum zr_status zr_ply_adjust(struct zr_ply_file *file, struct zr_scene_builder *builder)
 {
-    if (!file->is_far) return ZR_OK;
+    if (!file->is_far && !zr_recenter_is_remote(file->positions, file->vertex_count)) return ZR_OK;
     if (!find_used(file, &file->used)) return ZR_NO_MEMORY;
     file->box = zr_box_empty();
     file->finds_box = true;

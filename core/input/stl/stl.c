@@ -152,7 +152,7 @@ static enum zr_status read_binary(struct zr_scene_builder *builder, const struct
         return error->status;
     }
     enum zr_status status = read_colors(&run, &binary, request->bytes, parts);
-    if (status == ZR_OK && binary.is_far)
+    if (status == ZR_OK && (binary.is_far || zr_recenter_is_remote(binary.positions, count * 3)))
         status = zr_recenter_shift(&run, limits, binary.positions, count * 3, &builder->scene->origin);
     *out = (struct zr_stl){3 * count, count, binary.positions, NULL, binary.face_colors};
     return status;

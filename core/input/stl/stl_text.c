@@ -202,11 +202,11 @@ static enum zr_status read_all(struct file *file, struct zr_scene_builder *build
     return zr_arena_ok(builder->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-/* If a coordinate is far from 0, reads twice more: for the bounds, and with their middle subtracted. */
+/* If the mesh is far from 0 (recenter.h), reads twice more: for the bounds, and with their middle subtracted. */
 static enum zr_status adjust(struct file *file, struct zr_scene_builder *builder, struct zr_stl *out, size_t failed,
                              struct zr_error *error)
 {
-    bool is_far = file->rest.is_far;
+    bool is_far = file->rest.is_far || zr_recenter_is_remote(file->positions, out->vertices);
     for (size_t i = 0; i < failed; i++)
         is_far = is_far || file->parts[i].is_far;
     if (!is_far) return ZR_OK;

@@ -1,5 +1,28 @@
 #include "input/text/recenter.h"
 
+bool zr_box_is_remote(const struct zr_box *box, double sizes)
+{
+    double size = 0.0, middle = 0.0;
+    for (int axis = 0; axis < 3; axis++) {
+        size = fmax(size, box->high[axis] - box->low[axis]);
+        middle = fmax(middle, fabs(box->low[axis] / 2.0 + box->high[axis] / 2.0));
+    }
+    return size > 0.0 && middle > sizes * size;
+}
+
+bool zr_recenter_is_remote(const zr_vec4 *positions, size_t count)
+{
+    enum { AT_ONCE = 64 };
+    struct zr_box box = zr_box_empty();
+    for (size_t i = 0; i < count; i++) {
+        const double v[3] = {(double)positions[i].x, (double)positions[i].y, (double)positions[i].z};
+        zr_box_include(&box, v);
+        const bool has_size = box.low[0] < box.high[0] || box.low[1] < box.high[1] || box.low[2] < box.high[2];
+        if (i % AT_ONCE == AT_ONCE - 1 && has_size && !zr_box_is_remote(&box, ZR_FAR_SIZES / 2.0)) return false;
+    }
+    return count > 0 && zr_box_is_remote(&box, ZR_FAR_SIZES);
+}
+
 enum zr_status zr_recenter_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,
                                   const double **origin, struct zr_error *error)
 {
@@ -16,10 +39,12 @@ enum zr_status zr_recenter_origin(struct zr_arena *arena, const struct zr_box *b
                                 "of %.9g on both sides of its middle",
                                 low, high, "xyz"[axis], ZR_FAR_HALF_EXTENTS, limit);
     }
-    if (!is_far) return ZR_OK;
+    if (!is_far && !zr_box_is_remote(box, ZR_FAR_SIZES)) return ZR_OK;
     double *middle = zr_arena_alloc(arena, 3, sizeof *middle);
     for (int axis = 0; middle && axis < 3; axis++)
         middle[axis] = box->low[axis] + (box->high[axis] - box->low[axis]) / 2.0;
+    for (int axis = 0; middle && !is_far && axis < 3; axis++)
+        middle[axis] = (double)(float)middle[axis];
     *origin = middle;
     return middle ? ZR_OK : ZR_NO_MEMORY;
 }

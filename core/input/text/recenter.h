@@ -6,7 +6,10 @@
  *                zr_recenter_origin(&box, limits, origin), then read again, subtract origin before rounding, and set
  *                scene->origin
  *
- * A mesh within the limit keeps its coordinates: its origin is NULL.
+ * A mesh within the limit is moved, too, if it is remote: its middle is farther from the origin than ZR_FAR_SIZES times
+ * its largest side, so that floats, and places computed from them, lose digits that its size needs. That origin is
+ * rounded to float, so that matrices of floats may add it again. Any other mesh keeps its coordinates: its origin is
+ * NULL.
  */
 #ifndef ZR_RECENTER_H
 #define ZR_RECENTER_H
@@ -47,6 +50,15 @@ static inline void zr_box_join(struct zr_box *box, const struct zr_box *other)
     }
 }
 
+enum { ZR_FAR_SIZES = 1000 };
+
+/* True if the middle of the box is farther from the origin, along an axis, than so many times the largest side. Every
+ * part of a remote mesh with a size is remote by nearly as much. */
+bool zr_box_is_remote(const struct zr_box *box, double sizes);
+
+/* True if all positions together are remote. */
+bool zr_recenter_is_remote(const zr_vec4 *positions, size_t count);
+
 /* Returns the position minus the origin. `origin` may be NULL. */
 static inline zr_vec4 zr_recenter_position(const double v[3], const double *origin)
 {
@@ -60,8 +72,8 @@ static inline double zr_recenter_limit(const struct zr_limits *limits)
     return (double)limits->coordinate_max * 1e9;
 }
 
-/* Sets *origin to the middle of the box: three numbers in the arena. Sets it to NULL if the box is empty or within
- * coordinate_max, or if the arena failed. Refuses a box whose half extent exceeds ZR_FAR_HALF_EXTENTS times
+/* Sets *origin to the middle of the box: three numbers in the arena. Sets it to NULL if the box is empty, or within
+ * coordinate_max and not remote, or if the arena failed. Refuses a box whose half extent exceeds ZR_FAR_HALF_EXTENTS times
  * coordinate_max. */
 enum { ZR_FAR_HALF_EXTENTS = 1000 };
 enum zr_status zr_recenter_origin(struct zr_arena *arena, const struct zr_box *box, const struct zr_limits *limits,

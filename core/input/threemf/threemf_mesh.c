@@ -112,8 +112,10 @@ static void read_vertices(struct mesh *mesh)
     }
     while (zr_threemf_child(file, depth))
         if (zr_threemf_is(file, ZR_THREEMF_SPACE_CORE, "vertex")) read_vertex(mesh);
+    const bool is_whole = is_first && !mesh->again;
+    mesh->is_far = mesh->is_far || (is_whole && zr_recenter_is_remote(mesh->positions, mesh->vertex_count));
     if (!mesh->is_far || zr_threemf_stops(file)) return;
-    if (!is_first || mesh->again) {
+    if (!is_whole) {
         zr_threemf_fault(file, file->xml.at, "a mesh with coordinates beyond %.9g has one list of vertices",
                          (double)file->limits->coordinate_max);
         return;

@@ -1,0 +1,188 @@
+/* Meshes whose middle is many of their sizes from the origin: it is taken off in double, in every format. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/input/zip_file.h"
+#include "support/tests.h"
+#include "unit/common/input_check.h"
+
+/* A tetrahedron of corners that doubles have and floats far from 0 have not. */
+static const double corners[4][3] = {{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.2, 0.3}, {0.1, 0.2, 1.3}};
+static const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+
+static char text[1 << 13];
+static size_t size;
+
+static void put_text(const char *words)
+{
+    size += (size_t)snprintf(text + size, sizeof text - size, "%s", words);
+}
+
+static void put_corner(const char *form, int corner, const double by[3])
+{
+    size += (size_t)snprintf(text + size, sizeof text - size, form, corners[corner][0] + by[0],
+                             corners[corner][1] + by[1], corners[corner][2] + by[2]);
+}
+
+static void put_face(const char *form, int face, int first)
+{
+    size += (size_t)snprintf(text + size, sizeof text - size, form, first + faces[face][0], first + faces[face][1],
+                             first + faces[face][2]);
+}
+
+static void write_obj(const double by[3])
+{
+    for (int i = 0; i < 4; i++)
+        put_corner("v %.17g %.17g %.17g\n", i, by);
+    for (int i = 0; i < 4; i++)
+        put_face("f %d %d %d\n", i, 1);
+}
+
+static void write_stl(const double by[3])
+{
+    put_text("solid t\n");
+    for (int i = 0; i < 4; i++) {
+        put_text("facet normal 0 0 0\nouter loop\n");
+        for (int k = 0; k < 3; k++)
+            put_corner("vertex %.17g %.17g %.17g\n", faces[i][k], by);
+        put_text("endloop\nendfacet\n");
+    }
+    put_text("endsolid t\n");
+}
+
+static void write_ply_head(const char *form)
+{
+    put_text("ply\nformat ");
+    put_text(form);
+    put_text(" 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement face 4\n"
+             "property list uchar int vertex_indices\nend_header\n");
+}
+
+static void write_ply(const double by[3])
+{
+    write_ply_head("ascii");
+    for (int i = 0; i < 4; i++)
+        put_corner("%.17g %.17g %.17g\n", i, by);
+    for (int i = 0; i < 4; i++)
+        put_face("3 %d %d %d\n", i, 0);
+}
+
+static void write_binary_ply(const double by[3])
+{
+    write_ply_head("binary_little_endian");
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++) {
+            const double at = corners[i][k] + by[k];
+            memcpy(text + size, &at, sizeof at);
+            size += sizeof at;
+        }
+    for (int i = 0; i < 4; i++) {
+        text[size++] = 3;
+        memcpy(text + size, faces[i], sizeof faces[i]);
+        size += sizeof faces[i];
+    }
+}
+
+static void write_3mf(const double by[3])
+{
+    put_text("<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources><object id=\"1\">"
+             "<mesh><vertices>");
+    for (int i = 0; i < 4; i++)
+        put_corner("<vertex x=\"%.17g\" y=\"%.17g\" z=\"%.17g\"/>", i, by);
+    put_text("</vertices><triangles>");
+    for (int i = 0; i < 4; i++)
+        put_face("<triangle v1=\"%d\" v2=\"%d\" v3=\"%d\"/>", i, 0);
+    put_text("</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>");
+}
+
+/* The node is far, and has the digits. */
+static void write_gltf(const double by[3])
+{
+    put_text("{\"asset\": {\"version\": \"2.0\"}, \"scenes\": [{\"nodes\": [0]}], \"nodes\": [{\"mesh\": 0, "
+             "\"translation\": [");
+    size += (size_t)snprintf(text + size, sizeof text - size, "%.17g, %.17g, %.17g", corners[0][0] + by[0],
+                             corners[0][1] + by[1], corners[0][2] + by[2]);
+    put_text("]}], \"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}], \"accessors\": "
+             "[{\"bufferView\": 0, "
+             "\"componentType\": 5126, \"count\": 3, \"type\": \"VEC3\", \"min\": [0, 0, 0], \"max\": [1, 1, 0]}], "
+             "\"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}], \"buffers\": [{\"byteLength\": 36, \"uri\": "
+             "\"data:;base64,"
+             "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}");
+}
+
+static const struct {
+    const char *name;
+    enum zr_format format;
+    void (*write)(const double by[3]);
+} formats[] = {{"OBJ", ZR_FORMAT_OBJ, write_obj}, {"STL", ZR_FORMAT_STL, write_stl},
+               {"PLY", ZR_FORMAT_PLY, write_ply}, {"binary PLY", ZR_FORMAT_PLY, write_binary_ply},
+               {"3MF", ZR_FORMAT_3MF, write_3mf}, {"glTF", ZR_FORMAT_GLTF, write_gltf}};
+
+static struct reading *read_at(size_t format, const double by[3])
+{
+    size = 0;
+    formats[format].write(by);
+    assert_true(size < sizeof text);
+    const struct zip_entry part = {"3D/3dmodel.model", text, size, true};
+    unsigned char *package = formats[format].format == ZR_FORMAT_3MF ? zip_3mf(&part, 1, &size) : NULL;
+    struct reading *reading = read_bytes(formats[format].format, package ? (const char *)package : text, size);
+    free(package);
+    if (reading->status != ZR_OK) fail_msg("%s: %s", formats[format].name, reading->error.items[0].detail);
+    return reading;
+}
+
+/* Returns a corner relative to another one, in world space. */
+static zr_vec4 side_of(const struct zr_scene *scene, uint32_t from, uint32_t to)
+{
+    const struct zr_instance *instance = &scene->instances[0];
+    const zr_vec4 *p = scene->meshes[instance->mesh].positions;
+    const zr_vec4 a = zr_mat4_apply(&instance->object_to_world, p[from]),
+                  b = zr_mat4_apply(&instance->object_to_world, p[to]);
+    return (zr_vec4){b.x - a.x, b.y - a.y, b.z - a.z, 0};
+}
+
+TEST(remote_meshes_keep_their_digits)
+{
+    static const double far[][3] = {{5000, 0, 0}, {0, -1e5, 3}, {408205, 580925, 5}, {9e5, 9e5, -9e5}};
+    for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
+        struct reading *near = read_at(f, (const double[3]){0, 0, 0});
+        assert_null(near->scene->origin);
+        for (size_t i = 0; i < sizeof far / sizeof *far; i++) {
+            struct reading *reading = read_at(f, far[i]);
+            const double *origin = reading->scene->origin;
+            if (!origin) fail_msg("%s, %zu: no origin", formats[f].name, i);
+            for (uint32_t k = 0; k < 3; k++) {
+                const zr_vec4 own = side_of(reading->scene, k, (k + 1) % 3),
+                              want = side_of(near->scene, k, (k + 1) % 3);
+                if (fabsf(own.x - want.x) > 1e-6f || fabsf(own.y - want.y) > 1e-6f || fabsf(own.z - want.z) > 1e-6f)
+                    fail_msg("%s, %zu: %.9g %.9g %.9g", formats[f].name, i, (double)own.x, (double)own.y,
+                             (double)own.z);
+            }
+            reading_free(reading);
+        }
+        reading_free(near);
+    }
+}
+
+/* The rule is relative: a small mesh is remote at a distance at which a large one is not. */
+TEST(meshes_near_their_size_keep_their_coordinates)
+{
+    static const struct {
+        const char *text;
+        bool has_origin;
+    } cases[] = {{"v 900 0 0\nv 901 0 0\nv 900 1 0\nf 1 2 3\n", false},
+                 {"v 1100 0 0\nv 1101 0 0\nv 1100 1 0\nf 1 2 3\n", true},
+                 {"v 9 0 0\nv 9.001 0 0\nv 9 0.001 0\nf 1 2 3\n", true},
+                 {"v 100000 0 0\nv 100500 0 0\nv 100000 500 0\nf 1 2 3\n", false},
+                 {"v 900000 0 0\nv 900000 0 0\nv 900000 0 0\nf 1 2 3\n", false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct reading *reading = read_text(ZR_FORMAT_OBJ, cases[i].text);
+        assert_int_equal(reading->status, ZR_OK);
+        if ((reading->scene->origin != NULL) != cases[i].has_origin) fail_msg("case %zu", i);
+        reading_free(reading);
+    }
+}
+
+RUN_TESTS(NULL, NULL)
