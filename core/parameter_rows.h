@@ -100,7 +100,7 @@
     ROW(explodeAxis, "/explode/axis", MESH, NAME, "axis along which parts move: x, y, z or radial (default: radial)")  \
     ROW(colors, "/colors", MESH, NAME,                                                                                 \
         "own: colours of the model; parts: one colour per part, chosen by its name; materials: only base colours, "    \
-        "with the numbers of the file (default: own)")                                                                 \
+        "with the numbers of the file; x, y, z: by this coordinate (default: own)")                                    \
     ROW(section, "/sections/planes", MESH, PLANES,                                                                     \
         "planes that cut the mesh open: x, y or z, a share of its bounds and a side, such as x:0.5 or x:0.5:positive") \
     ROW(sectionCorner, "/sections/corner", MESH, BOOL, "removal only of what all planes cut away (default: false)")    \

@@ -10,6 +10,7 @@
 #include "input/formats/sniff.h"
 #include "input/images/image_record.h"
 #include "input/model/kept_mesh.h"
+#include "input/query/axis_colors.h"
 #include "input/query/parameters.h"
 #include "input/query/part_select.h"
 #include "input/query/zip_body.h"
@@ -126,6 +127,18 @@ static enum zr_status leave_material_colors(const struct zr_scene_builder *build
     return zr_scene_drop_colors(builder->arena, scene) ? ZR_OK : ZR_NO_MEMORY;
 }
 
+/* Colours the scene by a coordinate, if the scene wants that, and then warns of the colour bar. */
+static enum zr_status color_by_axis(struct zr_scene_builder *builder)
+{
+    struct zr_scene *scene = builder->scene;
+    if (!zr_axis_colors_are_given(scene)) return ZR_OK;
+    if (!zr_axis_colors_apply(builder)) return ZR_NO_MEMORY;
+    zr_color_bar_warn(builder->arena, scene, &scene->views[0], &builder->warnings);
+    scene->warnings = builder->warnings.texts;
+    scene->warning_count = (uint32_t)builder->warnings.count;
+    return ZR_OK;
+}
+
 /* Applies the keys of parts and colours to the scene. */
 static enum zr_status edit_parts(const struct zr_request *request, struct zr_scene_builder *builder,
                                  struct zr_error *error)
@@ -133,6 +146,7 @@ static enum zr_status edit_parts(const struct zr_request *request, struct zr_sce
     struct zr_error faults = {0};
     const bool has_parts = zr_part_keys_are_given(&builder->scene->parts) || builder->scene->sections.uncut_count > 0;
     enum zr_status status = leave_material_colors(builder, &faults);
+    if (status == ZR_OK) status = color_by_axis(builder);
     if (status == ZR_OK && has_parts && !fits_memory(builder->arena, builder->scene)) return ZR_NO_MEMORY;
     if (status == ZR_OK && has_parts) status = zr_parts_apply(builder, &faults);
     if (status == ZR_OK && has_parts) status = zr_parts_check_uncut(builder, &faults);
@@ -190,7 +204,7 @@ static enum zr_status read_scene(const struct zr_run *run, const struct zr_reque
     if (status == ZR_OK) status = zr_query_apply(&query, run->error);
     if (status != ZR_OK) return status;
     zr_default_output_use(scene);
-    zr_color_bar_warn(run->arena, scene, &scene->views[0], &builder.warnings);
+    if (!zr_axis_colors_are_given(scene)) zr_color_bar_warn(run->arena, scene, &scene->views[0], &builder.warnings);
     zr_view_matrices_warn(run->arena, &scene->views[0], &builder.warnings);
     zr_zip_body_warn(&builder, request);
     zr_scene_builder_close(&builder);

@@ -29,8 +29,16 @@ struct zr_part_highlight {
     zr_vec4 color; /* opaque, sRGB-encoded */
 };
 
-/* The scene's own colours, one colour per part by its name, or only the base colours of materials. */
-enum zr_color_source { ZR_COLORS_OWN, ZR_COLORS_PARTS, ZR_COLORS_MATERIALS, ZR_COLORS_COUNT };
+/* The scene's own colours, one colour per part by its name, only the base colours of materials, or by a coordinate. */
+enum zr_color_source {
+    ZR_COLORS_OWN,
+    ZR_COLORS_PARTS,
+    ZR_COLORS_MATERIALS,
+    ZR_COLORS_X,
+    ZR_COLORS_Y,
+    ZR_COLORS_Z,
+    ZR_COLORS_COUNT
+};
 
 enum zr_explode_axis { ZR_EXPLODE_RADIAL, ZR_EXPLODE_X, ZR_EXPLODE_Y, ZR_EXPLODE_Z, ZR_EXPLODE_AXES };
 

@@ -99,7 +99,7 @@ const struct mcp_key mcp_part_keys[] = {
     {"ghost", MCP_ALL_TOOLS, "{}", NULL},
     {"highlight", MCP_ALL_TOOLS, "{}", NULL},
     {"explode", MCP_ALL_TOOLS, "{}", NULL},
-    {"colors", MCP_ALL_TOOLS, "{\"type\":\"string\",\"enum\":[\"own\",\"parts\",\"materials\"]}", NULL},
+    {"colors", MCP_ALL_TOOLS, "{\"type\":\"string\",\"enum\":[\"own\",\"parts\",\"materials\",\"x\",\"y\",\"z\"]}", NULL},
     {NULL, 0, NULL, NULL}};
 
 const struct mcp_key mcp_arguments[] = {

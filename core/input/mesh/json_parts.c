@@ -154,7 +154,7 @@ bool zr_read_highlight(struct zr_json *json, const struct zr_json_path *path, vo
 
 static const char *const axes[] = {"radial", "x", "y", "z"};
 static const struct zr_names axis_names = ZR_NAMES(ZR_EXPLODE_AXES, axes);
-static const char *const colors[] = {"own", "parts", "materials"};
+static const char *const colors[] = {"own", "parts", "materials", "x", "y", "z"};
 const struct zr_names zr_part_color_names = ZR_NAMES(ZR_COLORS_COUNT, colors);
 
 struct given_explode {
