@@ -73,23 +73,20 @@ void zr_points_scale_colors(zr_vec4 *colors, size_t count, float scale)
 /* Finds the origin to subtract. False after a fault. */
 static bool find_origin(const struct zr_points *points, const double **origin)
 {
-    const double near = (double)points->limits->coordinate_max, limit = zr_recenter_limit(points->limits);
+    const double limit = zr_recenter_limit(points->limits);
     struct zr_box box = zr_box_empty();
     *origin = NULL;
     for (size_t i = 0; i < points->count; i++) {
         if (i % POINTS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(points->cancel)) return false;
         if (!isnan(points->positions[i][0])) zr_box_include(&box, points->positions[i]);
     }
-    bool is_far = false;
-    for (int k = 0; k < 3 && points->count > 0; k++) {
-        is_far = is_far || box.low[k] < -near || box.high[k] > near;
-        if (box.low[k] < -limit || (box.high[k] > limit && box.low[k] <= box.high[k])) {
+    for (int k = 0; k < 3 && box.low[0] <= box.high[0]; k++)
+        if (box.low[k] < -limit || box.high[k] > limit) {
             zr_error_add(points->error, ZR_BAD_SCENE, NULL, "a coordinate is %g; magnitudes up to %g are allowed",
                          box.low[k] < -limit ? box.low[k] : box.high[k], limit);
             return false;
         }
-    }
-    return !is_far || zr_recenter_origin(points->builder->arena, &box, points->limits, origin, points->error) == ZR_OK;
+    return zr_recenter_origin(points->builder->arena, &box, points->limits, origin, points->error) == ZR_OK;
 }
 
 struct zr_mesh *zr_points_make(struct zr_points *points)

@@ -30,7 +30,8 @@ struct binary {
     atomic_uint any, all, unmarked, colored; /* as in zr_stl_attributes, over all triangles */
     struct zr_stl_colors colors;
     zr_vec4 *face_colors;
-    atomic_bool is_far; /* a coordinate is beyond the limit */
+    atomic_bool is_far;    /* a coordinate is beyond the limit */
+    atomic_bool has_holes; /* the x of a first vertex is NaN: the triangle is not finite */
 };
 
 static uint32_t read_u32(const char *at)
@@ -60,6 +61,15 @@ static uint16_t attribute_of(const struct binary *binary, size_t triangle)
     return read_u16(binary->triangles + triangle * TRIANGLE_BYTES + ATTRIBUTES_AT);
 }
 
+/* True if no number of the vertices is infinite or a NaN: sums of these are NaN if each is taken times 0. */
+static bool is_finite(const char *triangle)
+{
+    float sum = 0.0f;
+    for (size_t k = 0; k < 9; k++)
+        sum += 0.0f * read_f32(triangle + VERTICES_AT + 4 * k);
+    return sum == 0.0f;
+}
+
 /* Reads triangles begin..end - 1, up to `faults` faults. Returns the bits that any attribute has. */
 static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, size_t faults, struct zr_error *error)
 {
@@ -68,6 +78,11 @@ static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, 
     const char *triangle = binary->triangles + begin * TRIANGLE_BYTES;
     for (size_t i = begin; i < end && error->count < faults; i++, triangle += TRIANGLE_BYTES) {
         any |= read_u16(triangle + ATTRIBUTES_AT);
+        if (!is_finite(triangle)) {
+            binary->positions[i * 3] = (zr_vec4){NAN, 0, 0, 1};
+            atomic_store_explicit(&binary->has_holes, true, memory_order_relaxed);
+            continue;
+        }
         for (size_t corner = 0; corner < 3; corner++) {
             float v[3];
             bool good = true, is_far = false;
@@ -133,6 +148,23 @@ static enum zr_status read_colors(const struct zr_run *run, struct binary *binar
     return zr_parts_read(run->team, run->cancel, 0, parts, color_part, binary) < parts ? ZR_CANCELLED : ZR_OK;
 }
 
+/* Leaves out the triangles that are not finite, with a warning. */
+static void drop_holes(struct binary *binary, struct zr_scene_builder *builder)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < binary->count && !(i % PART_TRIANGLES == 0 && zr_is_cancelled(builder->arena->cancel));
+         i++) {
+        if (isnan(binary->positions[i * 3].x)) continue;
+        memmove(binary->positions + 3 * kept, binary->positions + 3 * i, 3 * sizeof *binary->positions);
+        if (binary->face_colors) binary->face_colors[kept] = binary->face_colors[i];
+        kept++;
+    }
+    const size_t holes = binary->count - kept;
+    zr_warning_list_add(builder->arena, &builder->warnings, "STL: %zu %s left out", holes,
+                        holes == 1 ? "triangle is not finite and is" : "triangles are not finite and are");
+    binary->count = kept;
+}
+
 static enum zr_status read_binary(struct zr_scene_builder *builder, const struct zr_request *request,
                                   const struct zr_limits *limits, struct zr_stl *out, struct zr_error *error)
 {
@@ -152,9 +184,11 @@ static enum zr_status read_binary(struct zr_scene_builder *builder, const struct
         return error->status;
     }
     enum zr_status status = read_colors(&run, &binary, request->bytes, parts);
-    if (status == ZR_OK && (binary.is_far || zr_recenter_is_remote(binary.positions, count * 3)))
-        status = zr_recenter_shift(&run, limits, binary.positions, count * 3, &builder->scene->origin);
-    *out = (struct zr_stl){3 * count, count, binary.positions, NULL, binary.face_colors};
+    if (binary.has_holes) drop_holes(&binary, builder);
+    const size_t kept = binary.count;
+    if (status == ZR_OK && (binary.is_far || zr_recenter_is_remote(binary.positions, kept * 3)))
+        status = zr_recenter_shift(&run, limits, binary.positions, kept * 3, &builder->scene->origin);
+    *out = (struct zr_stl){3 * kept, kept, binary.positions, NULL, binary.face_colors};
     return status;
 }
 

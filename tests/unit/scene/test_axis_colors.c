@@ -39,10 +39,9 @@ TEST(a_mesh_is_coloured_from_its_least_to_its_greatest_coordinate)
 
 TEST(instances_have_the_colours_of_their_places)
 {
-    struct reading *reading = read_scene("{\"colors\": \"y\", " VIEW ", " MESH ", \"instances\": ["
-                                         "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],"
-                                         "[[1,0,0,9],[0,1,0,0],[0,0,1,0],[0,0,0,1]],"
-                                         "[[1,0,0,0],[0,1,0,2],[0,0,1,0],[0,0,0,1]]]}]}");
+    struct reading *reading = read_scene("{\"colors\": \"y\", " VIEW ", " MESH "}], \"nodes\": [{\"mesh\": 0}, "
+                                         "{\"mesh\": 0, \"translation\": [9,0,0]}, "
+                                         "{\"mesh\": 0, \"translation\": [0,2,0]}]}");
     const struct zr_scene *scene = reading->scene;
     assert_int_equal(scene->instance_count, 3);
     assert_int_equal(scene->instances[1].mesh, scene->instances[0].mesh);
