@@ -23,15 +23,16 @@ static inline bool zr_samples_take(const struct zr_samples *samples, const struc
     return draw->material->alpha_mode == samples->drawn;
 }
 
-/* The z-buffer: stores the hit if it is nearer than the sample. At equal depth, the earlier stays. */
+/* The z-buffer: stores the hit if it is nearer than the sample. At equal depth, the earlier stays. Lists of fragments
+ * also get those of equal depth, which zr_visibility_fragments may need. */
 static inline void zr_samples_put(struct zr_samples *samples, int32_t x, int32_t y, struct zr_hit hit)
 {
     size_t i = (size_t)y * samples->width + (size_t)x;
-    if (!(hit.depth < samples->depth[i])) return;
     if (samples->fragments) {
-        zr_fragments_put(samples->fragments, (uint32_t)i, hit.depth, hit.owner);
+        if (hit.depth <= samples->depth[i]) zr_fragments_put(samples->fragments, (uint32_t)i, hit.depth, hit.owner);
         return;
     }
+    if (!(hit.depth < samples->depth[i])) return;
     samples->depth[i] = hit.depth;
     samples->owner[i] = hit.owner;
 }

@@ -45,16 +45,37 @@ static bool put_all(const struct zr_tile_source *tiles, uint32_t number, enum zr
     return complete;
 }
 
+static bool put_twice(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
+                      const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_fragments *fragments)
+{
+    struct zr_layers_pool *pool = tiles->layers;
+    return zr_fragments_begin(pool->arena, &pool->lock, ZR_LAYER_FLOATS, fragments) &&
+           put_all(tiles, number, mode, cancel, tile, fragments) &&
+           zr_fragments_prefix_sum(pool->arena, &pool->lock, fragments) &&
+           put_all(tiles, number, mode, cancel, tile, fragments);
+}
+
+/* Moves the opaque samples back by one float, so that fragments of equal depth are in front of them. Uncovered samples
+ * stay: nothing is drawn at the far plane. Saves the depths in `kept`. */
+static void let_equal_pass(struct zr_tile *tile, float *kept)
+{
+    memcpy(kept, tile->depth, sizeof tile->depth);
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++) {
+            const uint32_t i = place_of(x, y);
+            const float depth = zr_fragment_depth(zr_fragment_key(tile->depth[i], 0) + (UINT64_C(1) << 32));
+            if (tile->depth[i] < 1.0f) tile->depth[i] = ZR_MUTANT(layers_hidden_at_equal, depth, tile->depth[i]);
+        }
+}
+
 bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
                     const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_layers *layers)
 {
-    struct zr_layers_pool *pool = tiles->layers;
     struct zr_fragments *fragments = &layers->fragments;
-    if (!zr_fragments_begin(pool->arena, &pool->lock, ZR_LAYER_FLOATS, fragments) ||
-        !put_all(tiles, number, mode, cancel, tile, fragments) ||
-        !zr_fragments_prefix_sum(pool->arena, &pool->lock, fragments) ||
-        !put_all(tiles, number, mode, cancel, tile, fragments))
-        return false;
+    if (mode == ZR_ALPHA_BLEND) let_equal_pass(tile, layers->tile.depth);
+    const bool is_listed = put_twice(tiles, number, mode, cancel, tile, fragments);
+    if (mode == ZR_ALPHA_BLEND) memcpy(tile->depth, layers->tile.depth, sizeof tile->depth);
+    if (!is_listed) return false;
     zr_fragments_sort(cancel, fragments);
     layers->most = 0;
     for (uint32_t i = 0; i < fragments->places; i++) {

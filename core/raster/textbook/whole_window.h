@@ -27,7 +27,7 @@ enum zr_status zr_visibility_window(const struct zr_run *run, const struct zr_ge
                                     zr_visibility_fn *visibility, uint32_t width, uint32_t height,
                                     const struct zr_base *base, struct zr_samples *samples);
 
-/* Makes one list per sample: the fragments of one alpha mode in front of the samples, which are decided. */
+/* Makes one list per sample: the fragments of one alpha mode in front of the samples, or as deep, which are decided. */
 enum zr_status zr_visibility_window_fragments(const struct zr_run *run, const struct zr_geometry *geometry,
                                               zr_visibility_fn *visibility, enum zr_alpha_mode mode,
                                               struct zr_samples *samples, struct zr_fragments *fragments);

@@ -184,7 +184,7 @@ static bool pass_masked(const struct layers_twin *twin, const struct drawn *opaq
 
 /* ---- layers ---- */
 
-/* Those of one pixel that lie in front of what is opaque, the farthest first; of equally deep ones the later is
+/* Those of one pixel that lie in front of what is opaque, or as deep (GL_LEQUAL), the farthest first; of equally deep ones the later is
  * farther. */
 static uint32_t sort_layers(const struct parts *parts, size_t pixel, float behind, uint32_t *order)
 {
@@ -192,7 +192,7 @@ static uint32_t sort_layers(const struct parts *parts, size_t pixel, float behin
     for (uint32_t p = 0; p < parts->count; p++) {
         const float depth = parts->items[p].drawn.depth[pixel];
         uint32_t at = count;
-        if (!(depth < behind)) continue;
+        if (!(depth <= behind && depth < 1.0f)) continue;
         while (at > 0 && parts->items[order[at - 1]].drawn.depth[pixel] <= depth)
             at--;
         memmove(order + at + 1, order + at, (count - at) * sizeof *order);

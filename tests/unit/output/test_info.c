@@ -41,7 +41,7 @@ TEST_AROUND(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena)
     const double want[4] = {0, 1, 7, 8};
     for (int i = 0; i < 4; i++)
         assert_true(cJSON_GetArrayItem(box, i)->valuedouble == want[i]);
-    assert_true(cJSON_GetObjectItem(info, "rules")->valuedouble == 2);
+    assert_true(cJSON_GetObjectItem(info, "rules")->valuedouble == 3);
     assert_true(cJSON_GetObjectItem(info, "backgroundPixels")->valuedouble == 256 - 28);
     assert_true(cJSON_GetObjectItem(cJSON_GetObjectItem(info, "counts"), "outside")->valuedouble == 1);
     cJSON_Delete(info);
