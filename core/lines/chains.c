@@ -153,7 +153,7 @@ static void link_creases(struct chaining *c)
 struct chain {
     double length;               /* pixels */
     uint32_t count, first, last; /* ends of the chain, by their numbers */
-    bool is_strong;
+    bool is_strong, is_long;
 };
 
 /* Returns the length in the window. A crease that crosses the near or far plane counts as long. */
@@ -177,6 +177,7 @@ static uint32_t walk(struct chaining *c, uint32_t end, struct chain *chain, bool
         chain->count++;
         chain->length += length_of(c, crease);
         chain->is_strong = chain->is_strong || crease->features & ZR_FEATURE_STRONG;
+        chain->is_long = chain->is_long || crease->features & ZR_FEATURE_LONG;
         const uint32_t other = end ^ 1u, next = crease->links[other % 2];
         if (next == NO_LINK || next == first) return other;
         end = next;
@@ -216,8 +217,8 @@ static uint32_t judge(struct chaining *c, uint32_t *doubtful)
         const uint32_t first = first_end(c, i);
         struct chain chain = {0}, again = {0};
         walk(c, first, &chain, false);
-        const bool is_kept =
-            (chain.is_strong && chain.length >= ZR_CHAIN_STRONG_PIXELS) || chain.length >= ZR_CHAIN_WEAK_PIXELS;
+        const bool is_kept = chain.is_long || (chain.is_strong && chain.length >= ZR_CHAIN_STRONG_PIXELS) ||
+                             chain.length >= ZR_CHAIN_WEAK_PIXELS;
         if (is_kept) {
             walk(c, first, &again, true);
             touch_chain(c, first);

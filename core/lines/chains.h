@@ -2,7 +2,7 @@
  *
  * Space:  lengths in pixels of the window; turns in eye space.
  * How:    creases are linked at vertices, the straightest pair first, if they turn by at most 50 degrees and are both
- *         convex or both concave. A chain stays if it has a strong crease and 12 pixels, or 36 pixels. Strong chains of
+ *         convex or both concave. A chain stays if it has a long crease, a strong crease and 12 pixels, or 36 pixels. Strong chains of
  *         one or two edges stay as well if both ends touch a border or a crease that stays; up to 8 rounds.
  * Exact:  the same for any number of threads. */
 #ifndef ZR_CHAINS_H

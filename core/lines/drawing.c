@@ -1,11 +1,16 @@
 #include "lines/drawing.h"
 
+#include <math.h>
+
 #include "base/cancel.h"
 #include "base/run.h"
 #include "lines/chains.h"
 #include "lines/contour_steps.h"
 #include "lines/intersections.h"
 #include "mesh/mesh_tables.h"
+
+/* Creases of this share of the diagonal stay lines in any window: they are edges of parts, and no noise of scans. */
+#define LONG_SHARE (1.0 / 64.0)
 
 /* Runs the stage unless an earlier one failed. */
 #define STAGE(call)                                                                                                    \
@@ -32,9 +37,18 @@ static enum zr_status make_tables(const struct making *m, struct zr_edge_mesh **
     return status;
 }
 
+static double diagonal_of(const struct zr_bounds *bounds)
+{
+    const double x = (double)bounds->max.x - (double)bounds->min.x, y = (double)bounds->max.y - (double)bounds->min.y,
+                 z = (double)bounds->max.z - (double)bounds->min.z;
+    return bounds->valid ? sqrt((x * x + y * y) + z * z) : 0.0;
+}
+
 static enum zr_status find_features(const struct making *m, const struct zr_window_mesh *mesh, uint8_t **features)
 {
-    *features = zr_features_find(m->run, mesh, &m->desc->rule);
+    struct zr_feature_rule rule = m->desc->rule;
+    rule.long_edge = LONG_SHARE * diagonal_of(m->desc->bounds);
+    *features = zr_features_find(m->run, mesh, &rule);
     return zr_is_cancelled(m->run->cancel) ? ZR_CANCELLED : *features ? ZR_OK : ZR_NO_MEMORY;
 }
 

@@ -19,6 +19,7 @@ struct finding {
     const struct zr_cancel *cancel;
     float weak_cosine, strong_cosine;
     bool ignores_normals, keeps_noise;
+    double long_edge;
     uint8_t *features;
 };
 
@@ -127,6 +128,14 @@ static float smooth_cosine(const struct finding *f, const struct edge *edge, flo
     return sign * dot(a, b);
 }
 
+static bool is_long(const struct finding *f, const struct edge *edge)
+{
+    const double *low = f->mesh->eyes[edge->of->first_vertex + edge->low],
+                 *high = f->mesh->eyes[edge->of->first_vertex + edge->high];
+    const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    return f->long_edge > 0.0 && (x * x + y * y) + z * z >= f->long_edge * f->long_edge;
+}
+
 static unsigned features_of_two(const struct finding *f, const struct edge *edge)
 {
     const float *a = f->mesh->normals[triangle_of(edge, 0)], *b = f->mesh->normals[triangle_of(edge, 1)];
@@ -142,6 +151,7 @@ static unsigned features_of_two(const struct finding *f, const struct edge *edge
     features |= ZR_FEATURE_WEAK;
     if (cosine < f->strong_cosine - rounding) features |= ZR_FEATURE_STRONG;
     if (height(f, edge, 0, 1) < 0.0) features |= ZR_FEATURE_CONVEX;
+    if (is_long(f, edge)) features |= ZR_FEATURE_LONG;
     return features;
 }
 
@@ -223,6 +233,7 @@ uint8_t *zr_features_find(const struct zr_run *run, const struct zr_window_mesh 
                         .strong_cosine = (float)strong_cosine,
                         .ignores_normals = rule->ignores_normals,
                         .keeps_noise = rule->keeps_noise,
+                        .long_edge = rule->long_edge,
                         .features = zr_arena_alloc(run->arena, mesh->edge_count, sizeof *f.features)};
     if (!f.features) return NULL;
     zr_team_ranges(run->team, mesh->edge_count, EDGES_PER_RANGE, find_range, &f);

@@ -22,13 +22,15 @@ enum {
     ZR_FEATURE_STRONG = 8, /* with ZR_FEATURE_WEAK */
     ZR_FEATURE_CONVEX = 16,
     ZR_FEATURE_MORE = 32, /* three and more triangles; with ZR_FEATURE_STRONG */
-    ZR_FEATURE_CUT = 64   /* of a cap; with ZR_FEATURE_STRONG, or with ZR_FEATURE_BORDER */
+    ZR_FEATURE_CUT = 64,  /* of a cap; with ZR_FEATURE_STRONG, or with ZR_FEATURE_BORDER */
+    ZR_FEATURE_LONG = 128 /* a crease of at least rule.long_edge; with ZR_FEATURE_WEAK */
 };
 
 struct zr_feature_rule {
     float crease_degrees;
     bool ignores_normals; /* given normals make no edge smooth */
     bool keeps_noise;     /* normals are not smoothed */
+    double long_edge;     /* eye space; creases of this length stay lines in any window (chains.h). 0: none do */
 };
 
 /* Returns the bits of each edge, numbered through all instances. NULL if the arena failed. If cancelled, they are

@@ -1,4 +1,6 @@
 /* Lines from the mesh behind visibility: links, steps of contours, polylines, strokes, ink, and whole drawings. */
+#include <math.h>
+
 #include "base/run.h"
 #include "lines/contour_steps.h"
 #include "lines/drawing.h"
@@ -295,6 +297,57 @@ static uint32_t specks_of(float *ink, int width, int height)
         for (int x = 0; x < width; x++)
             if (ink[y * width + x] > 0.0f) specks += erase(ink, width, height, x, y, stack) < 12;
     return specks;
+}
+
+/* True if a polyline of the drawing passes near a point, given as shares of the window. */
+static bool passes(const struct zr_polylines *lines, double x, double y, double near)
+{
+    for (uint32_t i = 0; i < lines->count; i++)
+        for (uint32_t k = 1; k < lines->at[i].count; k++) {
+            const double *p = lines->points[lines->at[i].first + k - 1], *q = lines->points[lines->at[i].first + k];
+            const double dx = q[0] - p[0], dy = q[1] - p[1], square = dx * dx + dy * dy;
+            double t = square > 0.0 ? ((x - p[0]) * dx + (y - p[1]) * dy) / square : 0.0;
+            t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+            if (hypot(x - p[0] - t * dx, y - p[1] - t * dy) <= near) return true;
+        }
+    return false;
+}
+
+/* A rib slopes down to an end 0.02 above a plate: a crease of 41 degrees, seen from above, and a contour. It is a line
+ * wherever it has 12 pixels. */
+TEST(edges_between_faces_that_differ_are_lines_in_any_window)
+{
+    static const char text[] =
+        "v -1.5 0 -1\nv 1.5 0 -1\nv 1.5 0.22 -1\nv -1.5 0.22 -1\nv -1.5 0 1\nv 1.5 0 1\nv 1.5 0.22 1\nv -1.5 0.22 1\n"
+        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n"
+        "v 0.6 0.1 -0.1\nv 1.3 0.1 -0.1\nv 1.3 0.24 -0.1\nv 0.72 0.9 -0.1\n"
+        "v 0.6 0.1 0.1\nv 1.3 0.1 0.1\nv 1.3 0.24 0.1\nv 0.72 0.9 0.1\n"
+        "f 9 12 11 10\nf 13 14 15 16\nf 9 10 14 13\nf 12 16 15 11\nf 9 13 16 12\nf 10 11 15 14\n";
+    static const uint32_t widths[] = {200, 240, 320, 480, 640, 700, 1000, 1600};
+    for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
+        const struct zr_scene *scene = model_of_text(&arena, text, "technical");
+        const struct zr_bounds bounds = zr_bounds_of(scene, NULL, NULL);
+        const double side = (double)widths[i];
+        struct zr_view view = scene->views[0];
+        struct zr_camera camera;
+        struct zr_error error = {0};
+        struct zr_drawing drawing;
+        view.width = view.height = widths[i];
+        view.pose = ZR_POSE_DIRECTION;
+        view.direction = (zr_vec3){0, -1, 0};
+        view.up = (zr_vec3){0, 0, -1};
+        view.projection = ZR_PROJECTION_ORTHOGRAPHIC;
+        assert_int_equal(zr_camera_resolve(&(struct zr_run){.error = &error}, scene, &view, &bounds, &camera), ZR_OK);
+        const struct zr_drawing_desc desc = {.scene = scene,
+                                             .camera = &camera,
+                                             .bounds = &bounds,
+                                             .width = widths[i],
+                                             .height = widths[i],
+                                             .rule = {.crease_degrees = 30}};
+        assert_int_equal(zr_drawing_make(&(struct zr_run){.arena = &arena}, &desc, &drawing), ZR_OK);
+        const double scale = 0.5 * side * (double)camera.projection.m[0]; /* pixels per unit */
+        if (!passes(&drawing.polylines, 0.5 * side + 1.3 * scale, 0.5 * side, 0.5)) fail_msg("at %u", widths[i]);
+    }
 }
 
 TEST(models_have_hardly_any_specks)
