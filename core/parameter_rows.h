@@ -19,6 +19,8 @@
     ROW(lossless, "/outputs/0/lossless", ANY, BOOL, "exact colours in a webp (default: false)")                        \
     ROW(maxBytes, "/outputs/0/maxBytes", ANY, WHOLE,                                                                   \
         "most bytes of the picture: a jpeg or webp gets the best quality that fits")                                   \
+    ROW(dpi, "/outputs/0/dpi", ANY, NUMBER,                                                                            \
+        "pixels per inch that a png or jpeg names, for the size of prints (default: none)")                            \
     ROW(x, "/outputs/0/x", ANY, PIXEL, "column of the pixel for the channel fragments, from 0 at the left")            \
     ROW(y, "/outputs/0/y", ANY, PIXEL, "row of that pixel, from 0 at the top")                                         \
     ROW(compress, "/query/compress", ANY, NAME, "compression of PNGs: fast or small (default: fast)")                  \

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "engine/interruption.h"
@@ -19,6 +18,7 @@ struct batch {
     const struct options *options;
     struct engine engine;
     struct file_list list;
+    struct resume resume;
     pthread_mutex_t lock; /* guards the members below */
     size_t next;
     struct progress progress;
@@ -114,14 +114,10 @@ static int summarize(struct batch *batch)
 
 /* ---- work ---- */
 
-/* Makes the folders of an output. */
 static void make_folders(const struct target *target)
 {
-    char *path = output_name(target, "color", "");
-    for (char *at = path; path && (at = strchr(at + 1, '/')) != NULL; *at = '/') {
-        *at = '\0';
-        mkdir(path, 0777); /* a folder that cannot be made is reported when the file is written */
-    }
+    char *path = target->out ? NULL : output_name(target, "color", "");
+    if (path) output_make_folders(path);
     free(path);
 }
 
@@ -133,9 +129,10 @@ static void *work(void *context)
         struct job *job = batch->next < batch->list.count && !interrupted() ? &batch->list.jobs[batch->next++] : NULL;
         pthread_mutex_unlock(&batch->lock);
         if (!job) return NULL;
-        job->is_skipped = batch->options->own[OPTION_RESUME] && resume_has_all(job);
+        job->is_skipped =
+            batch->options->own[OPTION_RESUME] && resume_has_all(&batch->resume, job, job->options != batch->options);
         if (!job->is_skipped) {
-            if (!job->target.out) make_folders(&job->target);
+            make_folders(&job->target);
             job_run(&batch->engine, job);
         }
         pthread_mutex_lock(&batch->lock);
@@ -177,6 +174,7 @@ int command_batch(struct options *options)
         return options_wrong("several files go to a folder: -o FOLDER/, not -o %s", folder);
     int status = input_check_type(options);
     if (status == 0) status = file_list_make(&batch.list, options);
+    if (status == 0) status = resume_open(&batch.resume, options);
     const size_t count = count_threads(options);
     if (status == 0) status = engine_open(&batch.engine, options, batch.list.count < 2 * count ? (unsigned)count : 1);
     if (status != 0) return status;

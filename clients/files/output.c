@@ -59,6 +59,14 @@ static const char *ending_of(const char *path)
     return *dot ? dot + 1 : dot;
 }
 
+void output_make_folders(char *path)
+{
+    for (char *at = path; (at = strchr(at + 1, '/')) != NULL; *at = '/') {
+        *at = '\0';
+        mkdir(path, 0777);
+    }
+}
+
 bool output_is_folder(const char *path)
 {
     struct stat status;

@@ -46,6 +46,9 @@ char *output_name_begin(const struct target *target);
 /* Returns the last part of a path. */
 const char *output_base(const char *path);
 
+/* Makes the folders of a path. One that cannot be made is reported when the file is written. */
+void output_make_folders(char *path);
+
 bool output_is_folder(const char *path);
 
 /* Returns true if a name is that of a folder or may become one: it does not exist, and its ending is no file's. */

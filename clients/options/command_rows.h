@@ -37,7 +37,7 @@
     ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS, "window in pixels; N means NxN; -W or -H alone keeps 4:3")       \
     ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcwvst", "no overwriting of existing files")                            \
     ROW(SHOW, "show", 0, NULL, "rws", "picture in the terminal (kitty, iTerm2, sixel)")                                \
-    ROW(RESUME, "resume", 0, NULL, "b", "only files with missing outputs")                                             \
+    ROW(RESUME, "resume", 0, NULL, "b", "only files without outputs of these settings")                                             \
     ROW(LIST, "list", 0, "FILE", "b", "more files of the batch, one per line of FILE, as on standard input for -")     \
     ROW(SHARD, "shard", 0, "I/N", "b",                                                                                 \
         "every Nth file of the list, beginning with file I, from 0; the shards 0/N to N-1/N draw each file once")      \

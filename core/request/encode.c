@@ -40,8 +40,9 @@ struct encoding {
 };
 
 /* Encodes as a PNG with the palette that it may have, as one that is always RGBA, or as a frame without a palette. */
-static enum zr_status encode_color(const struct encoding *e, enum zr_encoding encoding, struct zr_buffer *out)
+static enum zr_status encode_color(const struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
 {
+    const enum zr_encoding encoding = output->encoding;
     const bool has_alpha = encoding == ZR_ENCODING_PNG32 || e->scene->background.w < 1.0f;
     struct zr_png png = {.kind = has_alpha ? ZR_PNG_RGBA : ZR_PNG_RGB,
                          .width = e->frame->width,
@@ -49,17 +50,19 @@ static enum zr_status encode_color(const struct encoding *e, enum zr_encoding en
                          .pixels = e->frame->color,
                          .spans = e->frame->spans,
                          .compress = e->scene->compress,
+                         .is_srgb = true,
+                         .dpi = output->dpi,
                          .has_no_palette = encoding != ZR_ENCODING_PNG};
     return zr_png_write(&png, e->run->team, e->run->cancel, out);
 }
 
 /* Maps value * scale + offset, 0 .. 1, to 0 .. 255; uncovered pixels are black. */
-static enum zr_status encode_triples(const struct encoding *e, enum zr_channel channel, float scale, float offset,
-                                     struct zr_buffer *out)
+static enum zr_status encode_triples(const struct encoding *e, const struct zr_output *output, float scale,
+                                     float offset, struct zr_buffer *out)
 {
     const struct zr_frame *frame = e->frame;
     const size_t pixels = (size_t)frame->width * frame->height;
-    const float *n = frame->channels[channel];
+    const float *n = frame->channels[output->channel];
     uint32_t *colors = zr_arena_alloc(e->run->arena, pixels, sizeof *colors);
     if (!colors) return ZR_NO_MEMORY;
     for (size_t i = 0; i < pixels; i++, n += 3) {
@@ -72,6 +75,7 @@ static enum zr_status encode_triples(const struct encoding *e, enum zr_channel c
                                .height = frame->height,
                                .pixels = colors,
                                .spans = frame->spans,
+                               .dpi = output->dpi,
                                .compress = e->scene->compress};
     return zr_png_write(&png, e->run->team, e->run->cancel, out);
 }
@@ -125,6 +129,7 @@ static enum zr_status encode_depth16(struct encoding *e, const struct zr_output 
                                .rows = zr_depth16_rows(&depth16),
                                .spans = depth16.spans,
                                .text = comment,
+                               .dpi = output->dpi,
                                .compress = e->scene->compress};
     const enum zr_status status = zr_png_write(&png, e->run->team, e->run->cancel, out);
     if (is_depth) e->depth_scale = depth16.scale;
@@ -150,6 +155,7 @@ static void note_encoder(struct encoding *e, const struct zr_output *output, uin
 static enum zr_status encode_lossy(struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
 {
     const struct zr_lossy image = {
+        .dpi = output->dpi,
         .width = e->frame->width,
         .height = e->frame->height,
         .rgba = (const uint8_t *)e->frame->color,
@@ -198,14 +204,14 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     const void *values;
     switch (output->encoding) {
     case ZR_ENCODING_PNG:
-        if (output->channel == ZR_CHANNEL_NORMALS) return encode_triples(e, output->channel, 0.5f, 0.5f, out);
-        if (output->channel == ZR_CHANNEL_POSITION) return encode_triples(e, output->channel, 1.0f, 0.0f, out);
-        return encode_color(e, output->encoding, out);
+        if (output->channel == ZR_CHANNEL_NORMALS) return encode_triples(e, output, 0.5f, 0.5f, out);
+        if (output->channel == ZR_CHANNEL_POSITION) return encode_triples(e, output, 1.0f, 0.0f, out);
+        return encode_color(e, output, out);
     case ZR_ENCODING_PNG16:
         return encode_depth16(e, output, out);
     case ZR_ENCODING_PNG32:
     case ZR_ENCODING_APNG: /* of one frame; views/ joins those of several views */
-        return encode_color(e, output->encoding, out);
+        return encode_color(e, output, out);
     case ZR_ENCODING_NPY:
     case ZR_ENCODING_TIFF:
         if (!(values = find_values(e, output))) return ZR_NO_MEMORY;

@@ -18,18 +18,20 @@ enum {
     ZR_ENCODING_HAS_LOSSLESS = 4,
     ZR_ENCODING_HAS_MAX_BYTES = 8,
     ZR_ENCODING_BY_ENDING = 16,
-    ZR_ENCODING_FOR_AGENTS = 32
+    ZR_ENCODING_FOR_AGENTS = 32,
+    ZR_ENCODING_HAS_DPI = 64
 };
 
 /* ROW(ID, word, ending, another spelling of the ending or "", media type, noun for messages, properties, greatest side
  * in pixels or 0, kind of cost per pixel beside that of its words (ZR_COST_*, cost/cost.h) or NONE, meaning for
  * people) */
 #define ZR_ENCODING_ROWS(ROW)                                                                                          \
-    ROW(PNG, "png", "png", "", "image/png", "a PNG", ZR_ENCODING_HAS_MAX_BYTES | ZR_ENCODING_FOR_AGENTS, 0, PNG_PIXEL, \
-        "PNG, without loss")                                                                                           \
-    ROW(PNG16, "png16", "png", "", "image/png", "a PNG", ZR_ENCODING_HAS_SCALE | ZR_ENCODING_HAS_MAX_BYTES, 0,         \
-        PNG_PIXEL, "PNG of 16 bits per pixel: depth / scale, rounded")                                                 \
-    ROW(PNG32, "png32", "png", "", "image/png", "a PNG", 0, 0, PNG_PIXEL,                                              \
+    ROW(PNG, "png", "png", "", "image/png", "a PNG",                                                                   \
+        ZR_ENCODING_HAS_MAX_BYTES | ZR_ENCODING_HAS_DPI | ZR_ENCODING_FOR_AGENTS, 0, PNG_PIXEL, "PNG, without loss")   \
+    ROW(PNG16, "png16", "png", "", "image/png", "a PNG",                                                               \
+        ZR_ENCODING_HAS_SCALE | ZR_ENCODING_HAS_MAX_BYTES | ZR_ENCODING_HAS_DPI, 0, PNG_PIXEL,                         \
+        "PNG of 16 bits per pixel: depth / scale, rounded")                                                            \
+    ROW(PNG32, "png32", "png", "", "image/png", "a PNG", ZR_ENCODING_HAS_DPI, 0, PNG_PIXEL,                            \
         "PNG that is always RGBA, without a palette")                                                                  \
     ROW(NPY, "npy", "npy", "", "application/x-npy", "an array (NPY)", 0, 0, NONE, "array of NumPy, float32 or uint32") \
     ROW(JSON, "json", "json", "", "application/json", "JSON", ZR_ENCODING_BY_ENDING, 0, NONE, "JSON text")             \
@@ -42,8 +44,9 @@ enum {
     ROW(PFM, "pfm", "pfm", "", "image/x-portable-floatmap", "a float map (PFM)", ZR_ENCODING_BY_ENDING, 0, NONE,       \
         "float32, bottom row first")                                                                                   \
     ROW(JPEG, "jpeg", "jpg", "jpeg", "image/jpeg", "a JPEG",                                                           \
-        ZR_ENCODING_HAS_QUALITY | ZR_ENCODING_HAS_MAX_BYTES | ZR_ENCODING_BY_ENDING | ZR_ENCODING_FOR_AGENTS, 65500,   \
-        JPEG_PIXEL, "JPEG, of a given quality")                                                                        \
+        ZR_ENCODING_HAS_QUALITY | ZR_ENCODING_HAS_MAX_BYTES | ZR_ENCODING_HAS_DPI | ZR_ENCODING_BY_ENDING |            \
+            ZR_ENCODING_FOR_AGENTS,                                                                                    \
+        65500, JPEG_PIXEL, "JPEG, of a given quality")                                                                 \
     ROW(WEBP, "webp", "webp", "", "image/webp", "a WebP",                                                              \
         ZR_ENCODING_HAS_QUALITY | ZR_ENCODING_HAS_LOSSLESS | ZR_ENCODING_HAS_MAX_BYTES | ZR_ENCODING_BY_ENDING |       \
             ZR_ENCODING_FOR_AGENTS,                                                                                    \

@@ -19,6 +19,7 @@ struct zr_output {
     uint32_t quality;    /* jpeg and webp: 1..100; 0: ZR_QUALITY_DEFAULT */
     uint32_t max_bytes;  /* most bytes of the file; 0: any */
     bool is_lossless;    /* webp */
+    float dpi;           /* pixels per inch that the file names; 0: none */
 };
 
 #define ZR_QUALITY_DEFAULT 85

@@ -282,6 +282,14 @@ verdict "the others are drawn" [ "$(grep -c '"status":"done"' "$said")" = $((13 
 verdict "and nothing is lost, broken or left over" diff -r whole part
 check "with --resume once more" 0 "$zraster" batch many -o part -c color,depth -s 400 --resume --json
 verdict "all files are skipped" [ "$(grep -c '"status":"skipped"' "$said")" = 13 ]
+check "resumed with another size" 0 "$zraster" batch many -o part -c color,depth -s 20 --resume --json
+verdict "all files are drawn again" [ "$(grep -c '"status":"done"' "$said")" = 13 ]
+verdict "with the reason" grep -q 'part/.zraster-batch has other settings: all files are drawn again' "$complained"
+check "and once more" 0 "$zraster" batch many -o part -c color,depth -s 20 --resume --json
+verdict "they are skipped" [ "$(grep -c '"status":"skipped"' "$said")" = 13 ]
+rm part/.zraster-batch
+check "without a record of the settings" 0 "$zraster" batch many -o part -c color,depth -s 20 --resume --json
+verdict "they are drawn again" [ "$(grep -c '"status":"done"' "$said")" = 13 ]
 mkdir scenes && cp scene.json scenes/plain.json
 printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}], "outputs": [{"channel": "depth"}, {"channel": "color"}]}' >scenes/two.json
 check "scenes with outputs of their own" 0 "$zraster" batch scenes -o own

@@ -73,6 +73,7 @@ static bool belongs(const struct zr_request *request, size_t number, const char 
     if (strcmp(parameter, "lossless") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_LOSSLESS);
     if (strcmp(parameter, "quality") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_QUALITY);
     if (strcmp(parameter, "maxBytes") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_MAX_BYTES);
+    if (strcmp(parameter, "dpi") == 0) return zr_encoding_has(encoding, ZR_ENCODING_HAS_DPI);
     return has_it;
 }
 

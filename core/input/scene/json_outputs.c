@@ -6,12 +6,13 @@
 #include "scene/output.h"
 
 #define RANGE_MAX 1e30 /* scene units */
+#define DPI_MAX   65535
 
 enum { UNSET = -1, OUTPUTS_MAX = ZR_CHANNEL_COUNT * ZR_ENCODING_COUNT };
 
 struct given_output {
     int channel, encoding, space;
-    float scale, range[2];
+    float scale, dpi, range[2];
     uint32_t x, y, quality, max_bytes;
     bool is_lossless;
     struct zr_parsed_flow to;
@@ -42,7 +43,7 @@ static bool read_count(struct zr_json *json, const struct zr_json_path *path, vo
            zr_json_check_range(json, path, path->field->low, path->field->high, *(uint32_t *)out);
 }
 
-enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y, QUALITY, LOSSLESS, MAX_BYTES, TO };
+enum { CHANNEL, ENCODING, SPACE, SCALE, RANGE, X, Y, QUALITY, LOSSLESS, MAX_BYTES, TO, DPI };
 #define AT(member) offsetof(struct given_output, member)
 static const struct zr_json_field fields[] = {
     [CHANNEL] = {"channel", zr_json_choice, AT(channel), .words = &zr_channel_names, .required = true,
@@ -78,7 +79,9 @@ static const struct zr_json_field fields[] = {
                    .text = "most bytes of the file: a jpeg or webp gets the best quality that fits",
                    .schema = ZR_SCHEMA({"type" : "integer"})},
     [TO] = {"to", zr_read_flow, AT(to), .object = &zr_json_object_flow,
-            .text = "the other view, or the other poses of nodes, for the channel flow"}};
+            .text = "the other view, or the other poses of nodes, for the channel flow"},
+    [DPI] = {"dpi", zr_json_float, AT(dpi), 1, DPI_MAX, .unit = "pixels per inch", .otherwise = "none",
+             .text = "pixels per inch that a png or jpeg names, for the size of prints"}};
 /* clang-format off */
 const struct zr_json_object zr_json_object_output = {ZR_JSON_FIELDS("output", fields),
     .schema = ZR_SCHEMA({
@@ -98,6 +101,10 @@ const struct zr_json_object zr_json_object_output = {ZR_JSON_FIELDS("output", fi
             "maxBytes": {
                 "if": {"properties": {"encoding": false}}, "then": {"properties": {"channel": {"const": "color"}}},
                 "else": {"properties": {"encoding": {"enum": ["png", "png16", "jpeg", "webp"]}}}
+            },
+            "dpi": {
+                "if": {"properties": {"encoding": false}}, "then": {"properties": {"channel": {"const": "color"}}},
+                "else": {"properties": {"encoding": {"enum": ["png", "png16", "png32", "jpeg"]}}}
             },
             "to": {"properties": {"channel": {"const": "flow"}}},
             "x": {"properties": {"channel": {"const": "fragments"}}},
@@ -144,7 +151,7 @@ static void check_scale(struct zr_json *json, const struct zr_json_path *path, u
                       zr_encoding_names.words[output->encoding], zr_channel_names.words[output->channel]);
 }
 
-/* Quality and maxBytes belong to encodings that lose or save something. */
+/* Quality, maxBytes and dpi belong to encodings that lose, save or name something. */
 static void check_compression(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
                               const struct given_output *given, const struct zr_output *output)
 {
@@ -158,6 +165,8 @@ static void check_compression(struct zr_json *json, const struct zr_json_path *p
         fault_encoding(json, ZR_JSON_KEY(path, fields[LOSSLESS].key), ZR_ENCODING_HAS_LOSSLESS, "it");
     if (zr_json_gives(keys, MAX_BYTES) && !zr_encoding_has(output->encoding, ZR_ENCODING_HAS_MAX_BYTES))
         fault_encoding(json, ZR_JSON_KEY(path, fields[MAX_BYTES].key), ZR_ENCODING_HAS_MAX_BYTES, "it");
+    if (zr_json_gives(keys, DPI) && !zr_encoding_has(output->encoding, ZR_ENCODING_HAS_DPI))
+        fault_encoding(json, ZR_JSON_KEY(path, fields[DPI].key), ZR_ENCODING_HAS_DPI, "it");
 }
 
 static void check_range(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
@@ -236,7 +245,8 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
                                  .y = given.y,
                                  .quality = given.quality,
                                  .max_bytes = given.max_bytes,
-                                 .is_lossless = given.is_lossless};
+                                 .is_lossless = given.is_lossless,
+                                 .dpi = given.dpi};
     check_encoding(json, path, &given, output);
     check_scale(json, path, keys, &given, output);
     check_range(json, path, keys, &given, output);

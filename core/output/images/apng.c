@@ -52,11 +52,14 @@ static bool add_frame_control(struct zr_apng *apng)
     return add_chunk(apng->out, "fcTL", &number, control, sizeof control);
 }
 
-/* Adds the file's beginning, with its first frame's header. */
+/* Adds the file's beginning, with the chunks before the pixels of the first frame. */
 static bool begin(struct zr_apng *apng, const unsigned char *png)
 {
+    const unsigned char *pixels = png + SIGNATURE;
+    while (memcmp(pixels + 4, "IDAT", 4) != 0)
+        pixels += get_u32(pixels) + AROUND;
     memcpy(apng->head, png + SIGNATURE, sizeof apng->head);
-    zr_buffer_add(apng->out, png, SIGNATURE + sizeof apng->head);
+    zr_buffer_add(apng->out, png, (size_t)(pixels - png));
     const size_t at = zr_png_chunk_begin(apng->out, "acTL");
     zr_png_put_word(apng->out, apng->frames);
     zr_png_put_word(apng->out, 0); /* repeats for ever */

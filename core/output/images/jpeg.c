@@ -129,6 +129,10 @@ static void run(struct writing *writing, struct zr_arena *scratch, const struct 
     jpeg->input_components = 4;
     jpeg->in_color_space = JCS_EXT_RGBX;
     set_quality(jpeg, image->quality);
+    if (image->dpi > 0.0f) {
+        jpeg->density_unit = 1;
+        jpeg->X_density = jpeg->Y_density = (UINT16)(image->dpi + 0.5f);
+    }
     write_rows(jpeg, image);
 }
 

@@ -97,6 +97,9 @@ static void write_head(png_structp png, png_infop info, const struct writing *w)
     png_set_IHDR(png, info, image->width, image->height, bits, color_type(layout), PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
     if (w->palette) set_palette(png, info, w->palette);
+    if (image->is_srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    const png_uint_32 per_metre = (png_uint_32)((double)image->dpi / 0.0254 + 0.5);
+    if (per_metre > 0) png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
     if (image->text) {
         char key[] = "Comment";
         png_text text = {

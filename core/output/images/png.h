@@ -33,6 +33,8 @@ struct zr_png {
     const struct zr_column_span *spans; /* per row: all pixels outside of it are equal, over all rows. NULL: unknown */
     const char *text;                   /* ASCII comment stored in the file; NULL: none */
     enum zr_compress compress;
+    bool is_srgb;        /* chunk sRGB */
+    float dpi;           /* pixels per inch, chunk pHYs; 0: none */
     bool has_no_palette; /* RGB and RGBA stay so, even with few colours: for frames of one file, too */
 };
 

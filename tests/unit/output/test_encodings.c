@@ -98,6 +98,14 @@ TEST_AROUND(lossy_files_are_near_the_picture, open_arena, close_arena)
     WebPFree(pixels);
 }
 
+TEST_AROUND(a_jpeg_names_its_pixels_per_inch, open_arena, close_arena)
+{
+    struct zr_lossy image = gradient(false);
+    assert_memory_equal(write_whole(zr_jpeg_write, &image).bytes + 6, "JFIF\0\1\1\0\0\1\0\1", 12);
+    image.dpi = 299.6f;
+    assert_memory_equal(write_whole(zr_jpeg_write, &image).bytes + 6, "JFIF\0\1\1\1\1\54\1\54", 12);
+}
+
 TEST_AROUND(a_lossy_webp_keeps_alpha, open_arena, close_arena)
 {
     const struct zr_lossy image = gradient(true);

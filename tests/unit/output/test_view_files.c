@@ -122,6 +122,7 @@ TEST_AROUND(frames_of_an_animation_have_the_pixels_of_their_views, open_arena, c
         assert_int_equal(files.count, 1);
         assert_string_equal(files.entries[0].name, "color.apng");
         assert_string_equal(files.types[0], "image/apng");
+        assert_memory_equal((const char *)files.entries[0].bytes + 33, "\0\0\0\1sRGB\0", 9);
         for (uint32_t i = 0; i < 3; i++) {
             struct zr_buffer png = {.arena = &arena};
             struct zr_files alone;
