@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "output/images/gif_colors.h"
 
 enum {
     HEAD = 13,    /* signature and logical screen, without colours */

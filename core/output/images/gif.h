@@ -9,22 +9,13 @@
 #ifndef ZR_GIF_H
 #define ZR_GIF_H
 
-#include <stdbool.h>
-#include <stdint.h>
-
-#include "base/arena.h"
 #include "base/cancel.h"
 #include "base/status.h"
 #include "output/bytes/buffer.h"
+#include "output/images/gif_colors.h"
 
 /* Least time of a frame in seconds; browsers show a shorter one for 0.1 s. */
 #define ZR_GIF_SECONDS_MIN 0.02
-
-struct zr_gif {
-    uint32_t width, height; /* 1..65535 */
-    const uint8_t *rgba;    /* row 0 is the top */
-    bool has_alpha;         /* else alpha counts as 255 */
-};
 
 /* Appends the file to `out`; its arena is used for scratch memory, too. Returns ZR_OK, ZR_NO_MEMORY or
  * ZR_CANCELLED. */

@@ -2,7 +2,18 @@
 #ifndef ZR_GIF_COLORS_H
 #define ZR_GIF_COLORS_H
 
-#include "output/images/gif.h"
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/arena.h"
+#include "base/cancel.h"
+#include "base/status.h"
+
+struct zr_gif {
+    uint32_t width, height; /* 1..65535 */
+    const uint8_t *rgba;    /* row 0 is the top */
+    bool has_alpha;         /* else alpha counts as 255 */
+};
 
 struct zr_gif_colors {
     uint32_t count;
