@@ -254,7 +254,7 @@ bool zr_looks_so_OFF(const char *bytes, size_t size)
 enum zr_status zr_read_OFF(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error)
 {
-    struct off off = {.points = zr_points_open(builder, request, limits, error, "OFF"),
+    struct off off = {.points = zr_points_open(builder, request->cancel, limits, error, "OFF"),
                       .text = {request->bytes, request->bytes + request->size, 0}};
     enum zr_status status = read_header(&off);
     if (status == ZR_OK) status = read_vertices(&off);

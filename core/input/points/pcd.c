@@ -331,7 +331,7 @@ enum zr_status zr_read_PCD(struct zr_scene_builder *builder, const struct zr_req
     struct pcd *pcd = zr_arena_zero(builder->arena, 1, sizeof *pcd);
     struct zr_points_line data = {NULL, NULL};
     if (!pcd) return ZR_NO_MEMORY;
-    pcd->points = zr_points_open(builder, request, limits, error, "PCD");
+    pcd->points = zr_points_open(builder, request->cancel, limits, error, "PCD");
     pcd->text = (struct zr_points_text){request->bytes, request->bytes + request->size, 0};
     pcd->height = 1;
     enum zr_status status = read_header(pcd, &data);

@@ -9,17 +9,15 @@
 #include "input/points/points_file.h"
 #include "input/text/number.h"
 #include "input/text/recenter.h"
-#include "render_request.h"
 
 enum { POINTS_PER_CANCEL_CHECK = 1 << 14, ROOM_FIRST = 1024 };
 
 /* ---- points ---- */
 
-struct zr_points zr_points_open(struct zr_scene_builder *builder, const struct zr_request *request,
+struct zr_points zr_points_open(struct zr_scene_builder *builder, const struct zr_cancel *cancel,
                                 const struct zr_limits *limits, struct zr_error *error, const char *format)
 {
-    return (struct zr_points){
-        .builder = builder, .limits = limits, .cancel = request->cancel, .error = error, .format = format};
+    return (struct zr_points){.builder = builder, .limits = limits, .cancel = cancel, .error = error, .format = format};
 }
 
 bool zr_points_reserve(struct zr_points *points, size_t count)

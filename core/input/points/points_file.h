@@ -27,7 +27,7 @@ struct zr_points {
 };
 
 /* Returns what a request's reader begins with. */
-struct zr_points zr_points_open(struct zr_scene_builder *builder, const struct zr_request *request,
+struct zr_points zr_points_open(struct zr_scene_builder *builder, const struct zr_cancel *cancel,
                                 const struct zr_limits *limits, struct zr_error *error, const char *format);
 
 /* Makes room for `count` points in all. False without memory, or beyond ZR_POINTS_MAX with a fault. */

@@ -225,7 +225,7 @@ bool zr_looks_so_XYZ(const char *bytes, size_t size)
 enum zr_status zr_read_XYZ(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error)
 {
-    struct reader reader = {.points = zr_points_open(builder, request, limits, error, "XYZ"),
+    struct reader reader = {.points = zr_points_open(builder, request->cancel, limits, error, "XYZ"),
                             .text = {request->bytes, request->bytes + request->size, 0}};
     struct zr_points *points = &reader.points;
     const bool is_named = read_comment(&reader);

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-
 enum {
     HEAD = 13,    /* signature and logical screen, without colours */
     REPEAT = 19,  /* application extension */
