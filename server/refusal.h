@@ -5,15 +5,18 @@
 
 enum refusal {
     REFUSAL_NONE,
-    REFUSAL_DRAINING,    /* the daemon goes down */
-    REFUSAL_QUEUE,       /* the queue is full */
-    REFUSAL_ANSWERS,     /* answers that wait fill answerMemoryBytes */
-    REFUSAL_UPLOADS,     /* bodies fill uploadMemoryBytes */
-    REFUSAL_STREAMS,     /* maxStreams answers are streamed */
-    REFUSAL_CONTAINER,   /* the memory of the control group is nearly used up */
-    REFUSAL_MEMORY,      /* the system has no memory */
-    REFUSAL_CONNECTIONS, /* the connection's place was needed, or there was none */
-    REFUSAL_CLIENT,      /* maxPerClient: 429 */
+    REFUSAL_DRAINING,     /* the daemon goes down */
+    REFUSAL_QUEUE,        /* the queue holds as many requests as it may */
+    REFUSAL_WAIT,         /* the requests in the queue take too long */
+    REFUSAL_ANSWERS,      /* answers that wait fill answerMemoryBytes */
+    REFUSAL_SHARE,        /* those of the client fill its share of answerMemoryBytes */
+    REFUSAL_UPLOADS,      /* bodies fill uploadMemoryBytes */
+    REFUSAL_STREAMS,      /* maxStreams answers are streamed */
+    REFUSAL_STREAM_SHARE, /* the client has its share of maxStreams */
+    REFUSAL_CONTAINER,    /* the memory of the control group is nearly used up */
+    REFUSAL_MEMORY,       /* the system has no memory */
+    REFUSAL_CONNECTIONS,  /* the connection's place was needed, or there was none */
+    REFUSAL_CLIENT,       /* maxPerClient: 429 */
     REFUSALS
 };
 

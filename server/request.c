@@ -50,15 +50,25 @@ static bool is_short(uint64_t used, uint64_t limit)
     return (double)used > (double)limit * (MEMORY_PERCENT / 100.0);
 }
 
+static const struct {
+    const char *used, *limit, *list, *droppable;
+} versions[] = {
+    {"memory.current", "memory.max", "memory.stat", "inactive_file "},
+    {"memory/memory.usage_in_bytes", "memory/memory.limit_in_bytes", "memory/memory.stat", "total_inactive_file "}};
+
+double service_memory_limit(const struct service *service)
+{
+    uint64_t limit;
+    for (size_t i = 0; i < sizeof versions / sizeof versions[0]; i++) /* version 1 without a limit has about 2^63 */
+        if (read_number(service->config->cgroup, versions[i].limit, "", &limit) && limit < UINT64_C(1) << 60)
+            return (double)limit;
+    return (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+}
+
 /* Returns true if more than MEMORY_PERCENT of the control group's memory limit is used. Page cache that the kernel can
  * drop at once does not count. `folder` is that of the control group, such as /sys/fs/cgroup. False without a limit. */
 static bool memory_is_short(const char *folder)
 {
-    static const struct {
-        const char *used, *limit, *list, *droppable;
-    } versions[] = {
-        {"memory.current", "memory.max", "memory.stat", "inactive_file "},
-        {"memory/memory.usage_in_bytes", "memory/memory.limit_in_bytes", "memory/memory.stat", "total_inactive_file "}};
     for (size_t i = 0; i < sizeof versions / sizeof versions[0]; i++) {
         uint64_t used, limit, droppable = 0;
         if (!read_number(folder, versions[i].used, "", &used) || !read_number(folder, versions[i].limit, "", &limit))
@@ -85,8 +95,9 @@ static bool drop_kept(const struct service *service)
 enum refusal load_busy_with(const struct load *load, const struct service *service, bool makes_answer)
 {
     if (load->draining) return REFUSAL_DRAINING;
-    if (load->queue_full) return REFUSAL_QUEUE;
+    if (load->queue) return load->queue;
     if (makes_answer && load->answers_full) return REFUSAL_ANSWERS;
+    if (makes_answer && load->client_full) return REFUSAL_SHARE;
     if (!memory_is_short(service->config->cgroup)) return REFUSAL_NONE;
     if (drop_kept(service) && !memory_is_short(service->config->cgroup)) return REFUSAL_NONE;
     return REFUSAL_CONTAINER;

@@ -50,11 +50,16 @@ struct service {
 void service_init(struct service *service, const struct config *config, struct zr_team *team,
                   struct slowness *slowness);
 
+/* Returns the limit of the memory of the control group, else the memory of the machine, in bytes. */
+double service_memory_limit(const struct service *service);
+
 /* Load of the daemon. */
 struct load {
-    bool leaving, draining;            /* the daemon is to end; it takes no more work */
-    bool queue_full, large_queue_full; /* the queue for a body of this size; the one for large bodies */
-    bool answers_full;                 /* unsent answers fill answer_memory_bytes */
+    bool leaving, draining;          /* the daemon is to end; it takes no more work */
+    enum refusal queue, large_queue; /* of the queue for a body of this size; of the one for large bodies */
+    bool answers_full;               /* unsent answers fill answer_memory_bytes */
+    bool client_full;                /* those of the client fill its share */
+    bool answers_short;              /* there is room for small answers only; set when work begins */
     unsigned retry_after_s;
 };
 

@@ -55,7 +55,7 @@ static enum zr_status draw_all(zraster *renderer, struct zr_arena *arena, const 
     if (status != ZR_OK) return status;
     taking->count = views.set->count;
     taking->arena = arena;
-    return zr_views_draw_each(&run, &views, (struct zr_views_taker){hand_on, taking});
+    return zr_views_draw_each(&run, &views, (struct zr_views_taker){hand_on, taking, 0});
 }
 
 zraster_status zraster_draw_views(zraster *renderer, const struct zraster_request *request, zraster_take_view take,

@@ -278,7 +278,7 @@ enum zr_status zr_views_draw(const struct zr_run *run, struct zr_views *views, s
         .views = views,
         .files = files,
     };
-    const struct zr_views_taker taker = {take, &collecting};
+    const struct zr_views_taker taker = {take, &collecting, 0};
     enum zr_status status = check_animation(views, run->error);
     if (status == ZR_OK) status = zr_views_draw_each(run, views, taker);
     return status == ZR_OK ? close_files(&collecting) : status;

@@ -13,7 +13,8 @@ enum { AT_ONCE = 16 };
 /* ---- one view ---- */
 
 struct drawing {
-    struct zr_arena arena; /* of its scene, frame and files */
+    struct zr_arena arena; /* of its scene and frame */
+    struct zr_arena out;   /* of its files */
     enum zr_status status;
     struct zr_error error;
     struct zr_files files;
@@ -26,7 +27,6 @@ struct batch {
     uint32_t first;
     uint32_t width; /* drawn at once */
     struct drawing *drawings;
-    size_t shared_bytes; /* of the request, without the drawings */
     struct zr_views_taker taker;
 };
 
@@ -36,12 +36,15 @@ static void draw(const struct batch *batch, uint32_t number, struct drawing *d)
     struct zr_error faults = {0};
     const struct zr_run own = zr_run_in(batch->run, &d->arena);
     const struct zr_run reading = zr_run_reporting(&own, &d->error), drawing = zr_run_reporting(&own, &faults);
+    const struct zr_run encoding = zr_run_in(&drawing, &d->out);
     zr_arena_reset(&d->arena, SIZE_MAX);
+    zr_arena_reset(&d->out, SIZE_MAX);
     d->error = (struct zr_error){0};
     d->status = zr_view_scene(&reading, batch->views, number, &scene);
     if (d->status != ZR_OK) return;
     d->status = zr_render(&drawing, scene, NULL, &d->frame);
-    if (d->status == ZR_OK) d->status = zr_encode_files(&drawing, scene, d->frame, NULL, &d->files);
+    if (d->status == ZR_OK && !zr_arena_charge(&d->out, d->arena.held)) d->status = ZR_NO_MEMORY;
+    if (d->status == ZR_OK) d->status = zr_encode_files(&encoding, scene, d->frame, NULL, &d->files);
     if (d->status != ZR_OK) zr_view_report(batch->views, number, d->status, &faults, &d->error);
 }
 
@@ -54,6 +57,13 @@ static void draw_some(void *context, size_t begin, size_t end)
 
 /* ---- all views ---- */
 
+/* Returns the memory of a drawing to the system. */
+static void drop(struct drawing *d)
+{
+    zr_arena_free(&d->arena);
+    zr_arena_free(&d->out);
+}
+
 /* Draws a view again, alone, with the memory of the whole batch: its share was too small. */
 static void draw_alone(struct batch *batch, uint32_t number)
 {
@@ -61,30 +71,34 @@ static void draw_alone(struct batch *batch, uint32_t number)
     struct drawing *d = &batch->drawings[number];
     const size_t share = d->arena.ceiling;
     for (uint32_t i = 0; i < width; i++)
-        zr_arena_reset(&batch->drawings[i].arena, 0);
+        drop(&batch->drawings[i]);
     for (uint32_t i = number + 1; i < width; i++)
         batch->drawings[i].status = ZR_NO_MEMORY; /* lost */
-    d->arena.ceiling = share * width;
+    d->arena.ceiling = d->out.ceiling = share * width;
     draw(batch, batch->first + number, d);
-    d->arena.ceiling = share;
+    d->arena.ceiling = d->out.ceiling = share;
 }
 
-/* A view's predicted memory counts even before it is drawn: views differ in size. */
-static size_t find_held(const struct batch *batch)
+size_t zr_drawn_view_shrink(void *memory)
 {
-    const double most = (double)batch->drawings[0].arena.ceiling;
-    const double predicted = (double)batch->width * fmin(batch->views->cost.window_bytes, most);
-    size_t drawn = 0;
-    for (uint32_t i = 0; i < batch->width; i++)
-        drawn += zr_arena_bytes(&batch->drawings[i].arena);
-    return batch->shared_bytes + ((double)drawn < predicted ? (size_t)predicted : drawn);
+    const struct batch *batch = memory;
+    size_t held;
+    zr_arena_drop_spares(batch->run->arena);
+    held = zr_arena_bytes(batch->run->arena);
+    for (uint32_t i = 0; i < batch->width; i++) {
+        struct drawing *d = &batch->drawings[i];
+        zr_arena_free(&d->arena);
+        zr_arena_drop_spares(&d->out);
+        held += zr_arena_bytes(&d->out);
+    }
+    return held;
 }
 
-static enum zr_status hand_on(const struct batch *batch, uint32_t number, const struct drawing *d)
+static enum zr_status hand_on(struct batch *batch, uint32_t number, const struct drawing *d)
 {
     char name[ZR_VIEW_NAME_SIZE];
     zr_view_name(batch->views->set, number, name);
-    const struct zr_drawn_view view = {number, name, &d->files, d->frame, find_held(batch)};
+    const struct zr_drawn_view view = {number, name, &d->files, d->frame, batch};
     const enum zr_status status = batch->taker.take(batch->taker.context, &view, batch->run->error);
     const struct zr_views *views = batch->views;
     if (status == ZR_OK && views->progress) views->progress(views->progress_context, number + 1, views->set->count);
@@ -103,16 +117,18 @@ static enum zr_status take_batch(struct batch *batch, uint32_t count)
             zr_arena_charge(batch->run->arena, zr_arena_left(batch->run->arena) + 1);
         if (status == ZR_OK) status = hand_on(batch, batch->first + i, d);
         if (status != ZR_OK) return status;
-        if (d->arena.held > d->arena.ceiling) zr_arena_reset(&batch->drawings[i].arena, 0); /* was drawn alone */
+        if (d->out.held > d->out.ceiling) drop(&batch->drawings[i]); /* was drawn alone */
     }
     return ZR_OK;
 }
 
-/* Views drawn at once: one for each thread, as far as they fit into half of `memory`, by their predicted size. More of
- * them would touch more memory, which the system clears first. Whether a view fits does not depend on this number. */
-static uint32_t find_width(const struct zr_views *views, struct zr_team *team, size_t memory)
+/* Views drawn at once: one for each thread, as far as they fit into half of `memory`, and into the bytes that the taker
+ * allows, by their predicted size. More of them would touch more memory, which the system clears first. Whether a view
+ * fits does not depend on this number. */
+static uint32_t find_width(const struct zr_views *views, struct zr_team *team, size_t memory, size_t most_bytes)
 {
-    const double fit = 0.5 * (double)memory / fmax(views->cost.window_bytes, 1.0);
+    const double half = 0.5 * (double)memory, room = most_bytes ? fmin(half, (double)most_bytes) : half;
+    const double fit = room / fmax(views->cost.window_bytes, 1.0);
     const uint32_t threads = (uint32_t)zr_team_size(team), limit = threads < AT_ONCE ? threads : AT_ONCE;
     const uint32_t most = views->set->count < limit ? views->set->count : limit;
     return fit >= (double)most ? most : fit < 1.0 ? 1 : (uint32_t)fit;
@@ -155,7 +171,7 @@ enum zr_status zr_views_draw_each(const struct zr_run *run, struct zr_views *vie
     if (status == ZR_OK) status = make_parts(run, views);
     if (status != ZR_OK) return status;
     const size_t memory = zr_arena_left(run->arena) / 2;
-    const uint32_t width = find_width(views, run->team, memory);
+    const uint32_t width = find_width(views, run->team, memory, taker.most_bytes);
     const size_t share = memory / width;
     struct batch batch = {
         .run = run,
@@ -164,13 +180,14 @@ enum zr_status zr_views_draw_each(const struct zr_run *run, struct zr_views *vie
         .taker = taker,
     };
     batch.drawings = zr_arena_zero(run->arena, width, sizeof *batch.drawings);
-    batch.shared_bytes = run->arena->held;
     if (!batch.drawings || !zr_arena_charge(run->arena, share * width)) return ZR_NO_MEMORY;
-    for (uint32_t i = 0; i < width; i++)
+    for (uint32_t i = 0; i < width; i++) {
         zr_arena_init(&batch.drawings[i].arena, share);
+        zr_arena_init(&batch.drawings[i].out, share);
+    }
     status = draw_all(&batch);
     for (uint32_t i = 0; i < width; i++)
-        zr_arena_free(&batch.drawings[i].arena);
+        drop(&batch.drawings[i]);
     zr_arena_refund(run->arena, share * width);
     return status;
 }

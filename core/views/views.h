@@ -61,13 +61,18 @@ struct zr_drawn_view {
     const char *name; /* of its files, without the channel */
     const struct zr_files *files;
     const struct zr_frame *frame;
-    size_t held_bytes; /* memory of the request until `take` returns; of drawings, as predicted if that is more */
+    void *memory; /* for zr_drawn_view_shrink */
 };
+
+/* Returns the memory of the request to the system, but for its scene and the files of the views that are drawn: for a
+ * taker that waits. Their frames are gone. Returns the bytes that stay. Call it within `take` only. */
+size_t zr_drawn_view_shrink(void *memory);
 
 struct zr_views_taker {
     /* Another status than ZR_OK ends the drawing. */
     enum zr_status (*take)(void *context, const struct zr_drawn_view *view, struct zr_error *error);
     void *context;
+    size_t most_bytes; /* predicted memory of the views that are drawn at once, but for one; 0: no bound of its own */
 };
 
 /* Draws and encodes all views, and hands them on in order, on the thread of the call. No file is joined, not even on a

@@ -18,21 +18,22 @@ static struct client **bucket_of(struct clients *clients, const struct ip *key)
 
 struct client *clients_join(struct clients *clients, const struct ip *address)
 {
-    struct client made = {.key = *address,
-                          .is_loopback = ip_is_loopback(address),
-                          .is_private = ip_is_private(address),
-                          .connections = 1};
-    if (!ip_is_four(address) && !made.is_loopback) memset(made.key.bytes + NETWORK_BYTES, 0, IP_SIZE - NETWORK_BYTES);
+    struct ip key = *address;
+    const bool is_loopback = ip_is_loopback(address);
+    if (!ip_is_four(address) && !is_loopback) memset(key.bytes + NETWORK_BYTES, 0, IP_SIZE - NETWORK_BYTES);
 
-    struct client **bucket = bucket_of(clients, &made.key);
+    struct client **bucket = bucket_of(clients, &key);
     for (struct client *client = *bucket; client; client = client->next)
-        if (ip_is_same(&client->key, &made.key)) {
+        if (ip_is_same(&client->key, &key)) {
             client->connections++;
             return client;
         }
-    struct client *client = malloc(sizeof *client);
+    struct client *client = calloc(1, sizeof *client);
     if (!client) return NULL;
-    *client = made;
+    client->key = key;
+    client->is_loopback = is_loopback;
+    client->is_private = ip_is_private(address);
+    client->connections = 1;
     client->next = *bucket;
     *bucket = client;
     return client;

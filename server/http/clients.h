@@ -6,6 +6,7 @@
 #ifndef ZRASTERD_CLIENTS_H
 #define ZRASTERD_CLIENTS_H
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -18,8 +19,10 @@ struct client {
     struct client *next; /* in its bucket */
     struct ip key;
     bool is_loopback, is_private; /* as ip.h has them */
-    size_t connections;           /* and requests that a proxy passed on */
+    size_t connections;           /* and requests whose exchange has not ended */
     size_t in_flight;             /* requests */
+    atomic_size_t answer_bytes;   /* share of http->answer_bytes (http_state.h); workers change it, too */
+    atomic_size_t streams;        /* share of http->streams */
 };
 
 struct clients {

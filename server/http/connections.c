@@ -1,6 +1,7 @@
 #include "connections.h"
 
 #include <linux/tcp.h>
+#include <math.h>
 #include <netinet/in.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,8 +12,10 @@ enum {
     TICK_WORK_MS = 20, /* during work: the end of work is noticed within this time */
     TICK_MS = 50,
     TICK_IDLE_MS = 1000,
-    RATE_GRACE_MS = 5000, /* before the rate of a body or of a reader is measured */
-    CREDIT_MS = 20500,    /* longest time without reading that a fast reader can earn: 20 s, and to begin again */
+    RATE_GRACE_MS = 5000,   /* before the rate of a body or of a reader is measured */
+    CREDIT_MS = 20500,      /* longest time without reading that a fast reader can earn: 20 s, and to begin again */
+    SHORT_CREDIT_MS = 5000, /* the same, and the factor of the minimum rate, while answers of others lack room */
+    SHORT_RATE = 16,
     LINGER_MS = 2000, /* a refused client may go on sending: closing at once would reset the connection before it reads
                          the refusal */
     JUST_BEGUN_MS = 50, /* a younger connection may have sent bytes that are not read yet */
@@ -280,15 +283,17 @@ static bool body_is_slow(const struct connections *connections, const struct con
  * system acknowledges as much as its buffers hold, then nothing until half of that is read. */
 static bool reader_is_slow(const struct connections *connections, struct connection *connection, int64_t now)
 {
-    const double least = (double)connections->config->answer_min_bytes_per_second;
+    const bool is_short = connections->is_short;
+    const double least = (double)connections->config->answer_min_bytes_per_second * (is_short ? SHORT_RATE : 1);
+    const int64_t latest = now + (is_short ? SHORT_CREDIT_MS : CREDIT_MS);
     if (least <= 0.0) return false;
     const uint64_t taken = bytes_taken(connection), more = taken - connection->taken_bytes;
     connection->taken_bytes = taken;
     if (more > 0) {
         const int64_t from = connection->credit_until_ms > now ? connection->credit_until_ms : now;
-        const double until = (double)from + (double)more * 1000.0 / least, most = (double)(now + CREDIT_MS);
-        connection->credit_until_ms = (int64_t)(until < most ? until : most);
+        connection->credit_until_ms = (int64_t)fmin((double)from + (double)more * 1000.0 / least, (double)latest);
     }
+    if (connection->credit_until_ms > latest) connection->credit_until_ms = latest;
     return now > connection->credit_until_ms;
 }
 

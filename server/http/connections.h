@@ -58,6 +58,7 @@ struct connections {
     struct networks trusted; /* of --trusted-proxies */
     enum forwarded_form form;
     bool asks_for_proxy; /* trusted proxies begin connections by a PROXY header */
+    bool is_short;       /* memory of answers, or streams: slow readers leave early */
     struct connection *first, *last;
     struct connection **by_fd;
     size_t fd_count;

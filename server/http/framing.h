@@ -64,12 +64,12 @@ struct framing {
     bool is_trailer, is_old, is_chunked; /* is_old: HTTP/1.0 */
     uint32_t line_bytes;                 /* of the current method, target, name, value, chunk size or extension */
     uint32_t empty_lines, header_bytes, fields, parameters, values_bytes;
-    bool is_read, is_exact; /* of the current header: its value passes; is_exact: without any space */
-    bool is_dropped;        /* the last byte does not pass */
-    uint32_t seen;  /* headers of the table of framing.c, a bit for each */
-    uint32_t known; /* row of the current header in that table, or its length */
-    uint64_t left;                                          /* bytes of the body or the chunk */
-    uint32_t name_length, value_length;                     /* of the words; values without trailing space */
+    bool is_read, is_exact;             /* of the current header: its value passes; is_exact: without any space */
+    bool is_dropped;                    /* the last byte does not pass */
+    uint32_t seen;                      /* headers of the table of framing.c, a bit for each */
+    uint32_t known;                     /* row of the current header in that table, or its length */
+    uint64_t left;                      /* bytes of the body or the chunk */
+    uint32_t name_length, value_length; /* of the words; values without trailing space */
     char name[FRAMING_WORD_SIZE], value[FRAMING_WORD_SIZE]; /* of the current header, in lower case, cut */
     int wrong_status;
     const char *wrong; /* first fault in the headers, reported at their end */

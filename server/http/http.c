@@ -153,6 +153,10 @@ static void look(void *context, struct metrics_now *now)
     numbers[METRICS_STREAMS] = (double)atomic_load(&http->streams);
     numbers[METRICS_CONNECTIONS_MAX] = (double)http->config->max_connections;
     numbers[METRICS_ANSWER_BYTES] = (double)atomic_load(&http->answer_bytes);
+    numbers[METRICS_ANSWER_BYTES_MAX] = (double)http->config->answer_memory_bytes;
+    numbers[METRICS_ASSET_BYTES] = service->store ? (double)store_bytes(service->store) : 0;
+    numbers[METRICS_ASSET_BYTES_MAX] = (double)http->config->assets_max_bytes;
+    numbers[METRICS_MEMORY_MAX] = service_memory_limit(service);
     numbers[METRICS_UPLOAD_BYTES] = (double)atomic_load(&http->uploads.held);
     numbers[METRICS_LOST_LINES] = (double)log_writer_lost_ever();
     for (int i = 0; i < QUEUE_LANES; i++)

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "clock.h"
+#include "http_work.h"
 #include "log/log.h"
 #include "metrics/metrics.h"
 
@@ -78,7 +79,7 @@ void http_close_exchange(struct exchange *exchange)
 {
     struct http *http = exchange->http;
     http_log_exchange(exchange);
-    atomic_fetch_sub(&http->answer_bytes, exchange->answer_bytes);
+    http_leave_client(exchange);
     upload_free(&exchange->upload, &http->uploads);
     if (exchange->request.stream) stream_free(&exchange->stream);
     free(exchange->request.render);

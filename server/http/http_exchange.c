@@ -252,15 +252,16 @@ static size_t count_coming(const struct http *http)
     return count;
 }
 
-static struct load load_for(struct http *http, uint64_t body_bytes)
+static struct load load_for(struct http *http, struct client *client, uint64_t body_bytes)
 {
     const enum queue_lane lane = http_lane_of(body_bytes);
     return (struct load){
         .leaving = atomic_load(&http->leaving),
         .draining = atomic_load(&http->draining),
-        .queue_full = queue_is_full(http->queue, lane, lane == QUEUE_LARGE ? count_coming(http) : 0),
-        .large_queue_full = queue_is_full(http->queue, QUEUE_LARGE, 0),
+        .queue = queue_busy_with(http->queue, lane, lane == QUEUE_LARGE ? count_coming(http) : 0),
+        .large_queue = queue_busy_with(http->queue, QUEUE_LARGE, 0),
         .answers_full = http_answers_are_full(http),
+        .client_full = http_client_is_full(http, client),
         .retry_after_s = queue_wait_estimate_s(http->queue, lane),
     };
 }
@@ -367,7 +368,8 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
     connections_enter(&http->connections, exchange->connection, PHASE_BODY);
     const bool is_chunked = header(exchange, "Transfer-Encoding") != NULL;
     const bool expects_continue = header(exchange, "Expect") != NULL;
-    exchange->request.load = load_for(http, exchange->length);
+    exchange->holder = clients_join(&http->connections.clients, &exchange->client);
+    exchange->request.load = load_for(http, exchange->holder, exchange->length);
     if (exchange->length > http->config->body_max_bytes) {
         problem_answer(answer, 413, "the body has %llu bytes; bodyMaxBytes is %llu",
                        (unsigned long long)exchange->length, (unsigned long long)http->config->body_max_bytes);

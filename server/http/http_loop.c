@@ -235,6 +235,7 @@ static void end_overdue(struct http *http, struct connection *connection, int64_
 
 static void end_all_overdue(struct http *http, int64_t now)
 {
+    http->connections.is_short = http_is_short(http);
     for (struct connection *c = http->connections.first, *next; c; c = next) {
         next = c->next;
         end_overdue(http, c, now);

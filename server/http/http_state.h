@@ -68,6 +68,7 @@ struct exchange {
     struct exchange *next;                   /* in http->reports */
     bool is_reported, has_answer, has_ended; /* with http->lock: in the list, since there is an answer or work ended */
     struct ip peer, client;                  /* client: as told by a trusted proxy, else the peer */
+    struct client *holder;                   /* has the exchange's share of answers and streams; NULL: no memory */
     enum step step;
     bool opened, replied, logged, client_left;
     bool was_slow;     /* the client read the answer too slowly */

@@ -40,7 +40,9 @@ struct queue {
     struct lane lanes[QUEUE_LANES];
     struct worker *idle; /* stack: the last one to work is woken first, since its memory is warm */
     size_t woken;        /* workers that were woken and have not taken a job yet */
-    size_t busy;         /* jobs on workers that are not aside; they may exceed options.workers for the rest of a job */
+    size_t busy;         /* jobs on workers that are not aside */
+    size_t returning;    /* jobs that step back and wait for a place */
+    pthread_cond_t returns;
     bool stopping;
     struct zr_cancel express_overdue; /* for the job on the express */
     pthread_t overseer;
@@ -101,15 +103,15 @@ static double wait_us(const struct queue *queue, enum queue_lane number)
 }
 
 /* `coming`: jobs that will be pushed before the one in question. */
-static bool is_full(const struct queue *queue, enum queue_lane number, size_t coming)
+static enum refusal busy_with(const struct queue *queue, enum queue_lane number, size_t coming)
 {
     const struct lane *lane = &queue->lanes[number];
     const size_t waiting = lane->waiting + coming;
     const double more_us = (double)coming * lane->work_us / (double)queue->options.workers;
     const bool is_behind = lane->first && clock_us() - lane->first->pushed_us > QUEUE_WAIT_MS * INT64_C(1000);
-    return waiting >= queue->options.capacity ||
-           (waiting >= ACCEPTED_PER_WORKER * queue->options.workers &&
-            (is_behind || wait_us(queue, number) + more_us > QUEUE_WAIT_MS * 1e3));
+    if (waiting >= queue->options.capacity) return REFUSAL_QUEUE;
+    if (waiting < ACCEPTED_PER_WORKER * queue->options.workers) return REFUSAL_NONE;
+    return is_behind || wait_us(queue, number) + more_us > QUEUE_WAIT_MS * 1e3 ? REFUSAL_WAIT : REFUSAL_NONE;
 }
 
 static void learn(struct worker *worker, int64_t took_us)
@@ -139,7 +141,7 @@ static struct queue_job *take_job(struct worker *worker)
         bool needed = queue->stopping || small->waiting + large->waiting > queue->woken;
         return small->first && needed ? take_out(queue, small->first) : NULL;
     }
-    if (queue->busy >= queue->options.workers) { /* a job stepped back, maybe after this worker was woken */
+    if (queue->busy + queue->returning >= queue->options.workers) { /* a job stepped back, maybe after this was woken */
         if (small->first) pthread_cond_signal(&queue->express->wake);
         return NULL;
     }
@@ -166,7 +168,7 @@ static void wake_worker(struct queue *queue)
 /* Wakes a thread for one more waiting job. */
 static void wake_one(struct queue *queue)
 {
-    if (queue->idle && queue->busy + queue->woken < queue->options.workers)
+    if (queue->idle && queue->busy + queue->returning + queue->woken < queue->options.workers)
         wake_worker(queue);
     else
         pthread_cond_signal(&queue->express->wake);
@@ -251,11 +253,18 @@ static void begin_job(struct worker *worker, struct queue_job *job)
     if (queue->overseer_sleeps) pthread_cond_signal(&queue->express_begins);
 }
 
+/* Ends the count of a job as busy, for one that steps back. */
+static void give_place(struct queue *queue)
+{
+    queue->busy--;
+    if (queue->returning > 0) pthread_cond_signal(&queue->returns);
+}
+
 static void end_job(struct worker *worker)
 {
     struct queue *queue = worker->queue;
     worker->is_busy = false;
-    if (!worker->is_express) queue->busy--;
+    if (!worker->is_express) give_place(queue);
     learn(worker, clock_us() - worker->began_us);
     if (worker->is_express && queue->stopping) wake_all(queue);
 }
@@ -327,6 +336,7 @@ static void init_workers(struct queue *queue)
         pthread_cond_init(&worker->wake, &attributes);
     }
     pthread_cond_init(&queue->express_begins, &attributes);
+    pthread_cond_init(&queue->returns, &attributes);
     pthread_condattr_destroy(&attributes);
 }
 
@@ -361,25 +371,25 @@ struct queue *queue_create(const struct queue_options *options)
 
 /* ---- from other threads ---- */
 
-static bool put(struct queue *queue, struct queue_job *job, enum queue_lane lane, bool is_new)
+static enum refusal put(struct queue *queue, struct queue_job *job, enum queue_lane lane, bool is_new)
 {
     pthread_mutex_lock(&queue->lock);
-    bool room = !(is_new && queue->stopping) && !is_full(queue, lane, 0);
-    if (room) {
+    const enum refusal busy = is_new && queue->stopping ? REFUSAL_DRAINING : busy_with(queue, lane, 0);
+    if (!busy) {
         if (is_new) job->pushed_us = clock_us();
         append(queue, job, lane);
         wake_one(queue);
     }
     pthread_mutex_unlock(&queue->lock);
-    return room;
+    return busy;
 }
 
-bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane)
+enum refusal queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane)
 {
     return put(queue, job, lane, true);
 }
 
-bool queue_put_back(struct queue *queue, struct queue_job *job)
+enum refusal queue_put_back(struct queue *queue, struct queue_job *job)
 {
     return put(queue, job, QUEUE_LARGE, false);
 }
@@ -399,7 +409,7 @@ void queue_step_aside(struct queue *queue, const struct queue_job *job)
     pthread_mutex_lock(&queue->lock);
     worker->is_aside = true;
     worker->aside_us = clock_us();
-    queue->busy--;
+    give_place(queue);
     if (queue->lanes[QUEUE_SMALL].first || queue->lanes[QUEUE_LARGE].first) wake_one(queue);
     pthread_mutex_unlock(&queue->lock);
 }
@@ -408,18 +418,22 @@ void queue_step_back(struct queue *queue, const struct queue_job *job)
 {
     struct worker *worker = job->worker;
     pthread_mutex_lock(&queue->lock);
+    queue->returning++;
+    while (queue->busy >= queue->options.workers)
+        pthread_cond_wait(&queue->returns, &queue->lock);
+    queue->returning--;
     worker->is_aside = false;
     worker->began_us += clock_us() - worker->aside_us;
     queue->busy++;
     pthread_mutex_unlock(&queue->lock);
 }
 
-bool queue_is_full(struct queue *queue, enum queue_lane lane, size_t coming)
+enum refusal queue_busy_with(struct queue *queue, enum queue_lane lane, size_t coming)
 {
     pthread_mutex_lock(&queue->lock);
-    bool full = is_full(queue, lane, coming);
+    const enum refusal busy = busy_with(queue, lane, coming);
     pthread_mutex_unlock(&queue->lock);
-    return full;
+    return busy;
 }
 
 unsigned queue_wait_estimate_s(struct queue *queue, enum queue_lane lane)
@@ -468,6 +482,7 @@ void queue_destroy(struct queue *queue)
     for (struct worker *worker = queue->workers; worker <= queue->express; worker++)
         pthread_cond_destroy(&worker->wake);
     pthread_cond_destroy(&queue->express_begins);
+    pthread_cond_destroy(&queue->returns);
     pthread_mutex_destroy(&queue->lock);
     free(queue);
 }

@@ -7,7 +7,7 @@
  * processors by the kernel's rules.
  *
  * Waiting: a job that waits for its reader steps aside. A thread that stands in takes its place, so waiting jobs cost
- * others nothing. When it steps back, it runs at once, beside the others, and the next worker to end takes no new job.
+ * others nothing. When it steps back, it takes the place of the next worker to end, before all jobs that have not begun.
  *
  * Bounds: a queue accepts up to two jobs per worker. Beyond that it accepts only jobs that should start within
  * QUEUE_WAIT_MS, by the times of its last jobs, and none if its oldest job has waited longer than that. It never holds
@@ -28,6 +28,7 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
+#include "refusal.h"
 
 enum queue_lane { QUEUE_SMALL, QUEUE_LARGE, QUEUE_LANES };
 
@@ -63,22 +64,24 @@ struct queue_options {
 /* NULL: no threads or no memory available. */
 struct queue *queue_create(const struct queue_options *options);
 
-/* Adds a job. False: the queue is full, and the job stays the caller's. */
-bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane);
+/* Adds a job. REFUSAL_QUEUE or REFUSAL_WAIT: the queue is full, and the job stays the caller's. */
+enum refusal queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane);
 
-/* Called by `work` on the express for a large job: moves it to the workers. True: the queue owns the job. False: the
- * queue is full. */
-bool queue_put_back(struct queue *queue, struct queue_job *job);
+/* Called by `work` on the express for a large job: moves it to the workers. REFUSAL_NONE: the queue owns the job. Else it
+ * is full. */
+enum refusal queue_put_back(struct queue *queue, struct queue_job *job);
 
-/* Called by `work` on a worker, not on the express, before and after a wait. */
+/* Called by `work` on a worker, not on the express, before and after a wait. queue_step_back returns once fewer than
+ * options.workers jobs are at work. */
 void queue_step_aside(struct queue *queue, const struct queue_job *job);
 void queue_step_back(struct queue *queue, const struct queue_job *job);
 
 /* True: the job was waiting and is the caller's again. False: it is or was on a worker. */
 bool queue_remove(struct queue *queue, struct queue_job *job);
 
-/* Returns true if the queue would accept no job, by count or by time, after `coming` further jobs. */
-bool queue_is_full(struct queue *queue, enum queue_lane lane, size_t coming);
+/* Returns the reason why the queue would accept no job after `coming` further jobs: REFUSAL_QUEUE by count, REFUSAL_WAIT
+ * by time. */
+enum refusal queue_busy_with(struct queue *queue, enum queue_lane lane, size_t coming);
 
 /* Returns the predicted wait of a new job in s, 1..60, from the times of the last jobs. */
 unsigned queue_wait_estimate_s(struct queue *queue, enum queue_lane lane);

@@ -29,7 +29,8 @@ static size_t smallest(size_t a, size_t b, size_t c)
 
 enum refusal stream_open(struct stream *stream)
 {
-    if (!stream->owner.open(stream->owner.context)) return REFUSAL_STREAMS;
+    const enum refusal refusal = stream->owner.open(stream->owner.context);
+    if (refusal) return refusal;
     stream->bytes = malloc(STREAM_ROOM);
     return stream->bytes ? REFUSAL_NONE : REFUSAL_MEMORY;
 }
@@ -47,15 +48,22 @@ static void wake(struct stream *stream)
     stream->is_hungry = false;
 }
 
-/* Waits until half of the room is free: with less, writer and reader would take turns. */
+/* Waits until half of the room is free: with less, writer and reader would take turns. Without the lock while memory is
+ * returned, and while others have the place for work: the reader never waits. */
 static void wait_for_room(struct stream *stream)
 {
     const int64_t began_us = clock_us();
     wake(stream);
-    stream->owner.wait(stream->owner.context, true);
+    pthread_mutex_unlock(&stream->lock);
+    if (stream->shrink) stream->held_bytes = stream->shrink(stream->memory);
+    stream->refusal = stream->owner.wait(stream->owner.context, true);
+    pthread_mutex_lock(&stream->lock);
+    stream->is_closed |= stream->refusal != REFUSAL_NONE;
     while (stream->used > STREAM_ROOM / 2 && !stream->is_closed)
         pthread_cond_wait(&stream->room, &stream->lock);
+    pthread_mutex_unlock(&stream->lock);
     stream->owner.wait(stream->owner.context, false);
+    pthread_mutex_lock(&stream->lock);
     stream->waited_us += clock_us() - began_us;
 }
 

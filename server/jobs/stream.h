@@ -22,10 +22,12 @@ enum { STREAM_ROOM = 1 << 20, STREAM_BOUNDARY_SIZE = 40 };
 
 /* Functions of the stream's owner that the writer calls, on its thread. */
 struct stream_owner {
-    bool (*open)(void *context);                         /* takes one of the places for streams; false: none is free */
+    enum refusal (*open)(void *context);                 /* takes one of the places for streams, or says why not */
     void (*begin)(void *context, struct answer *answer); /* takes the answer over and sends its header */
     void (*wake)(void *context);                         /* the reader, which found no bytes, should read again */
-    void (*wait)(void *context, bool begins);            /* a wait for the reader begins or ends */
+    /* A wait for the reader begins, or ends. A reason: there is no room for the work while it waits, and the stream
+     * ends. */
+    enum refusal (*wait)(void *context, bool begins);
     void *context;
 };
 
@@ -44,7 +46,11 @@ struct stream {
     /* For the writer; for others once it has ended. */
     bool is_begun;
     int64_t waited_us;
-    size_t held_bytes;                   /* memory of the work while it waits; set before each write */
+    /* Returns memory of the work to the system, and the bytes that it holds while it waits; NULL: held_bytes. */
+    size_t (*shrink)(void *memory);
+    void *memory;
+    size_t held_bytes;
+    enum refusal refusal;                /* why the stream ended within a wait */
     char boundary[STREAM_BOUNDARY_SIZE]; /* of its parts (parts.h) */
     bool is_form;                        /* its parts are those of a form */
 };

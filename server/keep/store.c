@@ -108,6 +108,14 @@ static int open_asset(struct store *store, const char *name, struct stat *info)
     return -1;
 }
 
+uint64_t store_bytes(struct store *store)
+{
+    pthread_mutex_lock(&store->lock);
+    const uint64_t bytes = store->index.bytes;
+    pthread_mutex_unlock(&store->lock);
+    return bytes;
+}
+
 enum store_status store_look(struct store *store, const char *name, size_t *size)
 {
     struct stat info;

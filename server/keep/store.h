@@ -52,6 +52,9 @@ enum store_status store_read(struct store *store, const char *name, struct zr_ar
 enum store_status store_fetch(struct store *store, const char *name, const struct zr_cancel *cancel, int *fd,
                               size_t *size);
 
+/* Returns the size of all assets, in blocks of 4096 bytes. */
+uint64_t store_bytes(struct store *store);
+
 /* Finds the size of an asset without reading it. Counts as a use. STORE_THERE, STORE_MISSING or STORE_FAILED. */
 enum store_status store_look(struct store *store, const char *name, size_t *size);
 

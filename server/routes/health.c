@@ -40,8 +40,10 @@ bool health_open(const struct service *service, struct request *request, struct 
 enum refusal health_busy_with(const struct service *service, const struct request *request)
 {
     const struct load *load = &request->load;
-    const bool full = load->queue_full || load->large_queue_full;
-    const struct load any = {load->leaving, load->leaving, full, full, load->answers_full, load->retry_after_s};
+    const struct load any = {.leaving = load->leaving,
+                             .draining = load->leaving,
+                             .queue = load->queue ? load->queue : load->large_queue,
+                             .answers_full = load->answers_full};
     return load_busy_with(&any, service, true);
 }
 

@@ -98,7 +98,8 @@ enum {
     SMALL_VIEWS = 16,
     SMALL_IMAGE_PIXELS = 1 << 18,
     SMALL_NODE_VISITS = 100000,
-    SMALL_ARRAY_BYTES = 4 << 20
+    SMALL_ARRAY_BYTES = 4 << 20,
+    LARGE_ANSWER_WORDS = 1 << 20
 };
 
 /* State of one request. */
@@ -194,6 +195,12 @@ static bool has_memory(const struct rendering *r)
     return zr_arena_charge(arena, cost->window_bytes < 1e18 ? (size_t)cost->window_bytes + 1 : SIZE_MAX);
 }
 
+/* Returns true if the answer may take more than a small one, by its bytes before compression. */
+static bool is_large_answer(const struct rendering *r)
+{
+    return r->cost.counts[ZR_COST_OUTPUT_WORD] > LARGE_ANSWER_WORDS;
+}
+
 /* A sheet is one picture. */
 static bool is_stream(const struct rendering *r, const struct zr_views *views)
 {
@@ -235,6 +242,8 @@ static enum zr_status predict(struct rendering *r, struct zr_views *views, const
     const bool may_wait = is_stream(r, views); /* for its reader */
     if (too_large(r, may_wait || r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
     if (!has_memory(r)) return ZR_NO_MEMORY;
+    if (!may_wait && r->work->request->load.answers_short && is_large_answer(r)) r->busy = REFUSAL_ANSWERS;
+    if (r->busy) return ZR_CANCELLED;
     if (predicted_ms <= (double)service->config->cost_max_ms) return status;
     const struct zr_cost_most most = zr_cost_most(&r->cost);
     return zr_error_add(r->run.error, ZR_BAD_SCENE, NULL,
@@ -280,6 +289,9 @@ static enum zr_status draw_several(struct rendering *r, struct zr_views *views)
 
 /* ---- streams ---- */
 
+/* The views of a stream that are drawn at once take a part of answer_memory_bytes at most. */
+enum { STREAMED_AT_ONCE = 4 };
+
 /* Streams the files of a view. */
 static enum zr_status send_view(void *context, const struct zr_drawn_view *view, struct zr_error *error)
 {
@@ -291,7 +303,8 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
     text_to_ascii(warnings, sizeof warnings, zr_warnings_join(&scratch, &files->warnings));
     zr_arena_close_scratch(&scratch, r->run.arena);
     (void)error;
-    stream->held_bytes = view->held_bytes;
+    stream->shrink = zr_drawn_view_shrink;
+    stream->memory = view->memory;
     if (view->number == 0) {
         add_look(r);
         add_timing(r->work->answer, r->work->times);
@@ -313,12 +326,15 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
 static enum zr_status stream_several(struct rendering *r, struct zr_views *views)
 {
     struct stream *stream = r->work->request->stream;
-    const struct zr_views_taker taker = {send_view, r};
+    const struct zr_views_taker taker = {send_view, r,
+                                         (size_t)r->work->service->config->answer_memory_bytes / STREAMED_AT_ONCE};
     r->busy = stream_open(stream);
     if (r->busy) return ZR_CANCELLED;
     int64_t mark = clock_us();
     const enum zr_status status = zr_views_draw_each(&r->run, views, taker);
+    stream->shrink = NULL;
     stream->held_bytes = r->run.arena->held; /* while the end of the body waits */
+    r->busy = stream->refusal;
     r->work->times->render_ms = ms_since(&mark) - (double)stream->waited_us / 1000.0;
     return status;
 }

@@ -298,6 +298,7 @@ class Refusals(unittest.TestCase):
         with socket.create_connection((one.host, int(one.port)), timeout=10) as stream:
             stream.sendall(b"POST /v1/render HTTP/1.1\r\nHost: a\r\nContent-Length: 9\r\n\r\n{")
             self.assertTrue(repeat(429, "/v1/render", SCENE, "POST"))
+        self.assertEqual(one.families()["zraster_memory_limit_bytes"].sum(), int(read(os.path.join(memory.name, "memory.max"))))
         services.fill(memory.name, True)
         self.assertTrue(repeat(503, "/v1/render", SCENE, "POST"))
         self.assertEqual(one.families()["zraster_ready"].sum(), 0)

@@ -42,6 +42,11 @@ static CURL *open_request(const struct daemon *daemon, const char *target)
     curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
     curl_easy_setopt(curl, CURLOPT_TIMEOUT, (long)TIMEOUT_S);
     curl_easy_setopt(curl, CURLOPT_PROXY, "");
+    if (daemon->client > 0) {
+        char address[32];
+        snprintf(address, sizeof address, "host!127.0.0.%u", daemon->client);
+        curl_easy_setopt(curl, CURLOPT_INTERFACE, address);
+    }
     return curl;
 }
 
@@ -175,7 +180,9 @@ int client_connect(const struct daemon *daemon)
 {
     struct sockaddr_in address = {.sin_family = AF_INET, .sin_port = htons((uint16_t)daemon->port)};
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    struct sockaddr_in own = {.sin_family = AF_INET, .sin_addr.s_addr = htonl(0x7F000000 | (daemon->client % 256))};
     int fd = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (daemon->client > 0 && bind(fd, (struct sockaddr *)&own, sizeof own) != 0) perror("bind");
     if (connect(fd, (struct sockaddr *)&address, sizeof address) == 0) return fd;
     close(fd);
     return -1;

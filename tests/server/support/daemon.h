@@ -10,7 +10,8 @@
 struct daemon {
     pid_t pid;
     unsigned port;
-    int log_fd; /* its standard error: a file in memory */
+    int log_fd;      /* its standard error: a file in memory */
+    unsigned client; /* N: clients of this copy have the address 127.0.0.N; 0: the usual one */
 };
 
 /* Flags of a daemon, as an array that ends with NULL. */

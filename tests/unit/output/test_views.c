@@ -224,7 +224,7 @@ static struct zr_cost see_views(const char *keys, struct seen *seen)
     *seen = (struct seen){0};
     if (read_views(NULL, request_of(text), &views, &error) != ZR_OK) fail_msg("%s: %s", keys, error.items[0].detail);
     assert_int_equal(zr_views_draw_each(&(struct zr_run){.arena = &arena, .error = &error}, &views,
-                                        (struct zr_views_taker){see, seen}),
+                                        (struct zr_views_taker){see, seen, 0}),
                      ZR_OK);
     return views.cost;
 }

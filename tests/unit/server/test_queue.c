@@ -26,6 +26,11 @@ static void work(struct queue_job *job, struct zr_arena *arena)
     sem_wait(&task->may_end);
 }
 
+static bool is_taken(struct queue *queue, struct queue_job *job, enum queue_lane lane)
+{
+    return queue_push(queue, job, lane) == REFUSAL_NONE;
+}
+
 static void task_init(struct task *task, bool may_end)
 {
     *task = (struct task){.job.work = work};
@@ -65,11 +70,11 @@ TEST(job_that_comes_while_memory_goes_back_does_not_hold_up_later_small_ones)
     assert_non_null(queue);
     pushed_in_trim.queue = queue;
     pushed_in_trim.task = &second;
-    assert_true(queue_push(queue, &first.job, QUEUE_LARGE)); /* the worker's, which then is calm */
+    assert_true(is_taken(queue, &first.job, QUEUE_LARGE)); /* the worker's, which then is calm */
     bool served = task_begins(&first) && task_begins(&second);
-    assert_true(queue_push(queue, &large.job, QUEUE_LARGE));
+    assert_true(is_taken(queue, &large.job, QUEUE_LARGE));
     served = served && task_begins(&large);
-    assert_true(queue_push(queue, &small.job, QUEUE_SMALL)); /* beside it, so the express's */
+    assert_true(is_taken(queue, &small.job, QUEUE_SMALL)); /* beside it, so the express's */
     served = served && task_begins(&small);
     sem_post(&large.may_end);
     queue_destroy(queue);
@@ -85,9 +90,9 @@ static void run_two(struct task *first, struct task *second, const struct queue_
     assert_non_null(queue);
     pushed_in_trim.queue = queue;
     pushed_in_trim.task = when_calm ? second : NULL;
-    assert_true(queue_push(queue, &first->job, QUEUE_LARGE));
+    assert_true(is_taken(queue, &first->job, QUEUE_LARGE));
     bool served = task_begins(first);
-    if (!when_calm) assert_true(queue_push(queue, &second->job, QUEUE_LARGE));
+    if (!when_calm) assert_true(is_taken(queue, &second->job, QUEUE_LARGE));
     served = served && task_begins(second);
     queue_destroy(queue);
     assert_true(served);
@@ -149,16 +154,16 @@ TEST(small_jobs_do_not_wait_for_one_that_only_seemed_to_be_small)
     struct queue *queue = endless.queue =
         queue_create(&(struct queue_options){.workers = 1, .capacity = 4, .calm_ms = PATIENCE_MS});
     assert_non_null(queue);
-    assert_true(queue_push(queue, &large.job, QUEUE_LARGE));
+    assert_true(is_taken(queue, &large.job, QUEUE_LARGE));
     assert_true(task_begins(&large));
-    assert_true(queue_push(queue, &endless.job, QUEUE_SMALL));
+    assert_true(is_taken(queue, &endless.job, QUEUE_SMALL));
     assert_int_equal(sem_wait(&endless.begun), 0);
     usleep(2 * QUEUE_EXPRESS_MS * 1000);
     bool told_alone = endless.was_told; /* nobody waits: it may go on */
     bool served = true;
     for (int i = 0; i < 2; i++) {
         task_init(&small[i], true);
-        assert_true(queue_push(queue, &small[i].job, QUEUE_SMALL));
+        assert_true(is_taken(queue, &small[i].job, QUEUE_SMALL));
         served = served && task_begins(&small[i]);
     }
     bool was_told = endless.was_told, ran_beside = endless.runs_again;
@@ -196,12 +201,12 @@ TEST(what_holds_up_the_express_counts_among_small_jobs)
     struct nap nap = {{.work = sleep_on}, &ended, LONG_MS};
     struct queue *queue = queue_create(&(struct queue_options){.workers = 1, .capacity = 1000, .calm_ms = PATIENCE_MS});
     assert_non_null(queue);
-    assert_true(queue_push(queue, &large.job, QUEUE_LARGE) && task_begins(&large));
-    assert_false(queue_is_full(queue, QUEUE_SMALL, COMING));
-    assert_true(queue_push(queue, &nap.job, QUEUE_SMALL));
+    assert_true(is_taken(queue, &large.job, QUEUE_LARGE) && task_begins(&large));
+    assert_int_equal(REFUSAL_NONE, queue_busy_with(queue, QUEUE_SMALL, COMING));
+    assert_true(is_taken(queue, &nap.job, QUEUE_SMALL));
     assert_int_equal(sem_wait(&ended), 0);
-    assert_true(queue_push(queue, &express.job, QUEUE_SMALL) && task_begins(&express)); /* the queue has counted it */
-    const bool is_full = queue_is_full(queue, QUEUE_SMALL, COMING);
+    assert_true(is_taken(queue, &express.job, QUEUE_SMALL) && task_begins(&express)); /* the queue has counted it */
+    const bool is_full = queue_busy_with(queue, QUEUE_SMALL, COMING);
     sem_post(&large.may_end);
     sem_post(&express.may_end);
     queue_destroy(queue);
@@ -216,14 +221,14 @@ TEST(a_lane_takes_no_more_while_its_oldest_job_has_waited_for_too_long)
     task_init(&express, false);
     struct queue *queue = queue_create(&(struct queue_options){.workers = 1, .capacity = 1000, .calm_ms = PATIENCE_MS});
     assert_non_null(queue);
-    assert_true(queue_push(queue, &large.job, QUEUE_LARGE) && task_begins(&large));
-    assert_true(queue_push(queue, &express.job, QUEUE_SMALL) && task_begins(&express));
+    assert_true(is_taken(queue, &large.job, QUEUE_LARGE) && task_begins(&large));
+    assert_true(is_taken(queue, &express.job, QUEUE_SMALL) && task_begins(&express));
     for (int i = 0; i < 3; i++)
         task_init(&waiting[i], true);
-    assert_true(queue_push(queue, &waiting[0].job, QUEUE_SMALL) && queue_push(queue, &waiting[1].job, QUEUE_SMALL));
-    const bool is_full_at_once = queue_is_full(queue, QUEUE_SMALL, 0);
+    assert_true(is_taken(queue, &waiting[0].job, QUEUE_SMALL) && is_taken(queue, &waiting[1].job, QUEUE_SMALL));
+    const bool is_full_at_once = queue_busy_with(queue, QUEUE_SMALL, 0);
     usleep((QUEUE_WAIT_MS + 100) * 1000);
-    const bool takes_more = queue_push(queue, &waiting[2].job, QUEUE_SMALL);
+    const bool takes_more = is_taken(queue, &waiting[2].job, QUEUE_SMALL);
     sem_post(&large.may_end);
     sem_post(&express.may_end);
     queue_destroy(queue);
@@ -252,7 +257,15 @@ static void pause_on(struct queue_job *job, struct zr_arena *arena)
 }
 
 /* Threads that stand in take the places; once a job is back, they end theirs and take no more. */
-TEST(jobs_that_step_aside_leave_their_places_to_others)
+static int count_back(struct pause *pauses, int count)
+{
+    int back = 0, value;
+    for (int i = 0; i < count; i++)
+        back += sem_getvalue(&pauses[i].is_back, &value) == 0 && value > 0;
+    return back;
+}
+
+TEST(jobs_that_step_aside_leave_their_places_to_others_and_take_the_next_ones_back)
 {
     enum { PAUSES = 3 };
     struct pause pauses[PAUSES];
@@ -270,30 +283,33 @@ TEST(jobs_that_step_aside_leave_their_places_to_others)
         sem_init(&pause->may_go_on, 0, 0);
         sem_init(&pause->is_back, 0, 0);
         sem_init(&pause->may_end, 0, 0);
-        assert_true(queue_push(queue, &pause->job, QUEUE_LARGE));
+        assert_true(is_taken(queue, &pause->job, QUEUE_LARGE));
         assert_int_equal(sem_wait(&pause->is_aside), 0);
     }
-    assert_true(queue_push(queue, &first.job, QUEUE_LARGE));
+    assert_true(is_taken(queue, &first.job, QUEUE_LARGE));
     const bool is_first_served = task_begins(&first);
-    assert_true(queue_push(queue, &second.job, QUEUE_LARGE));
+    assert_true(is_taken(queue, &second.job, QUEUE_LARGE));
     usleep(20000);
     const bool is_one_at_once = sem_trywait(&second.begun) != 0;
-    for (int i = 0; i < PAUSES; i++) {
+    for (int i = 0; i < PAUSES; i++)
         sem_post(&pauses[i].may_go_on);
-        assert_int_equal(sem_wait(&pauses[i].is_back), 0);
-    }
-    sem_post(&first.may_end);
-    sem_post(&pauses[0].may_end);
     usleep(20000);
-    const bool is_full = sem_trywait(&second.begun) != 0; /* two are back */
-    assert_true(queue_push(queue, &third.job, QUEUE_SMALL));
+    const bool do_wait = count_back(pauses, PAUSES) == 0; /* for the end of the first job */
+    sem_post(&first.may_end);
+    while (count_back(pauses, PAUSES) == 0)
+        usleep(1000);
+    usleep(20000);
+    const bool is_one_back = count_back(pauses, PAUSES) == 1 && sem_trywait(&second.begun) != 0;
+    queue_push(queue, &third.job, QUEUE_SMALL);
     const bool is_small_served = task_begins(&third); /* on the express */
-    sem_post(&pauses[1].may_end);
-    sem_post(&pauses[2].may_end);
+    for (int i = 0; i < PAUSES; i++)
+        sem_post(&pauses[i].may_end);
     const bool is_second_served = task_begins(&second);
+    const bool are_back_before = count_back(pauses, PAUSES) == PAUSES;
     sem_post(&second.may_end);
     queue_destroy(queue);
-    assert_true(is_first_served && is_one_at_once && is_full && is_small_served && is_second_served);
+    assert_true(is_first_served && is_one_at_once && do_wait && is_one_back);
+    assert_true(is_small_served && is_second_served && are_back_before);
 }
 
 /* ---- bounds ---- */
@@ -313,18 +329,18 @@ static size_t fill(enum queue_lane lane, unsigned ms, size_t capacity, unsigned 
     assert_non_null(queue);
     for (int i = 0; i < TAUGHT; i++) {
         naps[i] = (struct nap){{.work = sleep_on}, &ended, ms};
-        assert_true(queue_push(queue, &naps[i].job, lane));
+        assert_true(is_taken(queue, &naps[i].job, lane));
         assert_int_equal(sem_wait(&ended), 0);
     }
     usleep(20000); /* the queue has counted it */
-    assert_true(queue_push(queue, &large.job, QUEUE_LARGE) && task_begins(&large));
-    assert_true(queue_push(queue, &express.job, QUEUE_SMALL) && task_begins(&express));
+    assert_true(is_taken(queue, &large.job, QUEUE_LARGE) && task_begins(&large));
+    assert_true(is_taken(queue, &express.job, QUEUE_SMALL) && task_begins(&express));
     size_t count = 0;
     for (; count < MAX; count++) {
         naps[TAUGHT + count] = (struct nap){{.work = sleep_on}, &ended, 0};
-        if (!queue_push(queue, &naps[TAUGHT + count].job, lane)) break;
+        if (!is_taken(queue, &naps[TAUGHT + count].job, lane)) break;
     }
-    assert_int_equal(queue_is_full(queue, lane, 0), count < MAX);
+    assert_int_equal(queue_busy_with(queue, lane, 0), count == capacity ? REFUSAL_QUEUE : REFUSAL_WAIT);
     *wait_s = queue_wait_estimate_s(queue, lane);
     for (size_t i = 0; i < count; i++)
         if (i % 2) assert_true(queue_remove(queue, &naps[TAUGHT + i].job)); /* out of the middle */
@@ -345,13 +361,13 @@ TEST(what_jobs_took_is_forgotten_once_it_is_calm)
     struct queue *queue = queue_create(&(struct queue_options){.workers = 1, .capacity = 64, .calm_ms = 300});
     assert_non_null(queue);
     nap = (struct nap){{.work = sleep_on}, &ended, SLOW_MS};
-    assert_true(queue_push(queue, &nap.job, QUEUE_LARGE));
+    assert_true(is_taken(queue, &nap.job, QUEUE_LARGE));
     assert_int_equal(sem_wait(&ended), 0);
     usleep(20000); /* the queue has counted it, and is not calm yet */
-    assert_true(queue_is_full(queue, QUEUE_LARGE, 20));
-    for (int i = 0; i < 500 && queue_is_full(queue, QUEUE_LARGE, 20); i++)
+    assert_true(queue_busy_with(queue, QUEUE_LARGE, 20));
+    for (int i = 0; i < 500 && queue_busy_with(queue, QUEUE_LARGE, 20); i++)
         usleep(10000);
-    assert_false(queue_is_full(queue, QUEUE_LARGE, 20));
+    assert_int_equal(REFUSAL_NONE, queue_busy_with(queue, QUEUE_LARGE, 20));
     queue_destroy(queue);
 }
 
