@@ -9,6 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "base/visible.h"
 #include "config.h"
 #include "gate/gate.h"
 #include "http/http.h"
@@ -127,6 +128,13 @@ static void end_service(struct service *service)
     metrics_free(service->metrics);
 }
 
+static void print_faults(char *message)
+{
+    zr_make_visible(message, true);
+    for (char *rest, *line = strtok_r(message, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest))
+        fprintf(stderr, "zrasterd: %s\n", line);
+}
+
 /* Takes ownership of the gate. */
 static int serve(const struct config *config, struct gate *gate)
 {
@@ -169,18 +177,12 @@ static int serve(const struct config *config, struct gate *gate)
         serve_until_signal(config, http, &signals);
         http_stop(http);
     } else {
-        fprintf(stderr, "zrasterd: %s\n", message);
+        print_faults(message);
     }
     end_service(&service);
     if (http) log_event("info", "stopped", NULL);
     log_writer_stop();
     return http ? EXIT_SUCCESS : EXIT_FAILURE;
-}
-
-static void print_faults(char *message)
-{
-    for (char *rest, *line = strtok_r(message, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest))
-        fprintf(stderr, "zrasterd: %s\n", line);
 }
 
 /* Checks all that a start reads, and listens nowhere. */
@@ -224,7 +226,7 @@ int main(int argc, char **argv)
     }
     struct gate *gate = gate_read(&config, message, sizeof message);
     if (!gate) {
-        fprintf(stderr, "zrasterd: %s\n", message);
+        print_faults(message);
         return EXIT_USAGE;
     }
     mcp_memory_watch();

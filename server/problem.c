@@ -8,6 +8,7 @@
 
 #include <cjson/cJSON.h>
 
+#include "base/visible.h"
 #include "cost/cost.h"
 #include "text.h"
 
@@ -39,6 +40,7 @@ static cJSON *new_problem(struct answer *answer, int http_status, const char *de
 {
     answer->status = http_status;
     text_to_utf8(answer->detail, sizeof answer->detail, detail);
+    zr_make_visible(answer->detail, true);
     cJSON *root = cJSON_CreateObject();
     if (cJSON_AddStringToObject(root, "type", "about:blank") &&
         cJSON_AddStringToObject(root, "title", answer_reason(http_status)) &&
@@ -55,6 +57,7 @@ static bool add_error(cJSON *errors, const struct zr_error_item *fault)
     text_to_utf8(text, sizeof text, fault->pointer);
     bool added = cJSON_AddStringToObject(item, "pointer", text);
     text_to_utf8(text, sizeof text, fault->detail);
+    zr_make_visible(text, true);
     added = added && cJSON_AddStringToObject(item, "detail", text) &&
             (fault->place == 0 || cJSON_AddNumberToObject(item, "offset", (double)(fault->place - 1))) &&
             cJSON_AddItemToArray(errors, item);
@@ -82,14 +85,13 @@ static void finish(struct answer *answer, cJSON *root)
 
 /* ---- as text ---- */
 
-/* Replaces control characters, but not line ends. */
+/* Adds a line. */
 static void add_line(char *text, size_t *used, const char *pointer, const char *detail)
 {
     char line[2 * ZR_DETAIL_SIZE + 4], clean[3 * sizeof line];
     snprintf(line, sizeof line, "%s%s%s", pointer, *pointer ? ": " : "", detail);
-    for (char *c = line; *c; c++)
-        if ((unsigned char)*c < ' ') *c = ' ';
     text_to_utf8(clean, sizeof clean, line);
+    zr_make_visible(clean, false);
     const size_t length = strlen(clean);
     if (*used + length + 1 >= PROBLEM_TEXT_SIZE) return;
     memcpy(text + *used, clean, length);

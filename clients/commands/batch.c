@@ -12,6 +12,7 @@
 #include "engine/report.h"
 #include "files/file_list.h"
 #include "files/resume.h"
+#include "files/say.h"
 #include "tables.h"
 
 struct batch {
@@ -72,9 +73,10 @@ static void report(struct batch *batch, const struct job *job)
         progress_hide(progress);
         report_warnings(stderr, job->target.file, &job->warnings);
     }
-    if (is_line && job->status != STATUS_DONE)
-        fprintf(stderr, "%s  failed\n", job->target.file);
-    else if (is_line && !job->is_skipped)
+    if (is_line && job->status != STATUS_DONE) {
+        say_text(stderr, job->target.file, strlen(job->target.file));
+        fputs("  failed\n", stderr);
+    } else if (is_line && !job->is_skipped)
         job_print(stderr, job);
     progress_show(progress, false);
 }

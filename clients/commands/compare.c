@@ -7,6 +7,7 @@
 #include "engine/report.h"
 #include "files/output.h"
 #include "files/pixels.h"
+#include "files/say.h"
 
 struct difference {
     size_t pixels;
@@ -94,8 +95,13 @@ static int compare_pictures(const struct options *options, struct pixels *a, str
     const char *const *names = options->files;
     if (a->width != b->width || a->height != b->height) {
         const char *out = options->own[OPTION_OUTPUT];
-        printf("%s is %ux%u, %s is %ux%u: compare pictures of one size%s%s%s\n", names[0], a->width, a->height,
-               names[1], b->width, b->height, out ? "; -o " : "", out ? out : "", out ? " is not written" : "");
+        struct bytes line = {NULL, 0, 0};
+        bytes_print(&line, "%s is %ux%u, %s is %ux%u: compare pictures of one size%s%s%s", names[0], a->width,
+                    a->height, names[1], b->width, b->height, out ? "; -o " : "", out ? out : "",
+                    out ? " is not written" : "");
+        say_text(stdout, bytes_text(&line), line.size);
+        putchar('\n');
+        bytes_free(&line);
         return STATUS_DIFFERENT;
     }
     if (a->is_16_bit != b->is_16_bit) widen(a), widen(b);

@@ -5,6 +5,7 @@
 
 #include "engine/job.h"
 #include "engine/report.h"
+#include "files/say.h"
 #include "options/parameters.h"
 
 enum { COLUMN = 26, LIST_MAX = 16 };
@@ -14,16 +15,9 @@ static bool is_plain(const cJSON *value)
     return !cJSON_IsArray(value) && !cJSON_IsObject(value);
 }
 
-/* Prints a byte of a text. Control characters, which would command the terminal, become '?'. */
-static void print_byte(unsigned char byte)
-{
-    putchar(byte < ' ' || byte == 0x7F ? '?' : byte);
-}
-
 static void print_text(const char *text)
 {
-    for (; *text; text++)
-        print_byte((unsigned char)*text);
+    say_text(stdout, text, strlen(text));
 }
 
 static void print_value(const cJSON *value)
@@ -87,17 +81,17 @@ static void print_facts(const char *path, const cJSON *value)
 
 enum { NAME_COLUMNS = 24 };
 
-/* Prints a name in NAME_COLUMNS characters: a longer one is cut, and control characters become '?'. */
+/* Prints a name in NAME_COLUMNS characters: a longer one is cut. */
 static void print_name(const char *name)
 {
+    const char *end = name;
     int columns = 0;
-    for (; *name; name++) {
-        const unsigned char byte = (unsigned char)*name;
-        const bool begins = (byte & 0xC0) != 0x80;
+    for (; *end; end++) {
+        const bool begins = ((unsigned char)*end & 0xC0) != 0x80;
         if (begins && columns == NAME_COLUMNS) break;
         columns += begins;
-        print_byte(byte);
     }
+    say_text(stdout, name, (size_t)(end - name));
     printf("%*s", NAME_COLUMNS - columns, "");
 }
 

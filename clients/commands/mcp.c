@@ -13,6 +13,7 @@
 #include "api/cancel.h"
 #include "engine/engine.h"
 #include "engine/interruption.h"
+#include "files/say.h"
 #include "mcp/faults.h"
 #include "mcp/memory.h"
 #include "mcp/message.h"
@@ -293,7 +294,7 @@ int command_mcp(struct options *options)
     root = realpath(options->own[OPTION_ROOT], NULL);
     DIR *folder = root ? opendir(root) : NULL;
     if (!folder)
-        fprintf(stderr, "zraster: --root %s: %s\n", options->own[OPTION_ROOT], strerror(errno));
+        say("--root %s: %s", options->own[OPTION_ROOT], strerror(errno));
     else if (!serving || zraster_open(&wanted, &serving->engine.renderer) != ZRASTER_OK)
         fputs("zraster: out of memory\n", stderr);
     else {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "engine/interruption.h"
+#include "files/say.h"
 #include "render.h"
 
 enum { PERIOD_MS = 100, PATIENCE = 5 /* periods */ };
@@ -41,7 +42,7 @@ static int check_parts(const struct options *options)
 {
     for (size_t i = 0; i < options->part_count; i++)
         if (access(strchr(options->parts[i], '=') + 1, R_OK) != 0) {
-            fprintf(stderr, "zraster: --part %s: %s\n", options->parts[i], strerror(errno));
+            say("--part %s: %s", options->parts[i], strerror(errno));
             return STATUS_FAILED;
         }
     return 0;
@@ -52,7 +53,7 @@ static void report_absence(const char *path, int *absent)
 {
     const int why = access(path, R_OK) == 0 ? 0 : errno;
     *absent = why ? *absent + 1 : 0;
-    if (*absent == PATIENCE) fprintf(stderr, "zraster: %s: %s; watch waits for it\n", path, strerror(why));
+    if (*absent == PATIENCE) say("%s: %s; watch waits for it", path, strerror(why));
 }
 
 /* Draws the file whenever it changes, until a signal. A wrong command line ends the loop, unless the file was drawn

@@ -1,11 +1,11 @@
 #include "job.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
 
 #include "files/neighbours.h"
+#include "files/say.h"
 #include "interruption.h"
 
 double job_clock(void)
@@ -78,20 +78,13 @@ void job_run(const struct engine *engine, struct job *job)
     answer_free(&answer);
 }
 
-/* Prints a name on one line: control characters become "?", as in ls. */
-static void print_name(FILE *out, const char *name)
-{
-    for (; *name; name++)
-        fputc(iscntrl((unsigned char)*name) ? '?' : *name, out);
-}
-
 void job_print(FILE *out, const struct job *job)
 {
     const char *name = bytes_text(&job->names), *end = name + job->names.size;
-    if (name == end) print_name(out, job->target.file); /* shown, not saved */
+    if (name == end) say_text(out, job->target.file, strlen(job->target.file)); /* shown, not saved */
     for (; name < end; name += strlen(name) + 1) {
         if (name != bytes_text(&job->names)) fputs(", ", out);
-        print_name(out, name);
+        say_text(out, name, strlen(name));
     }
     if (job->width)
         fprintf(out, "  %ux%u", job->width, job->height);

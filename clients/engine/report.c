@@ -3,6 +3,7 @@
 #include <cjson/cJSON.h>
 #include <string.h>
 
+#include "files/say.h"
 #include "options/wording.h"
 
 static const char *text_of(const cJSON *object, const char *key)
@@ -42,10 +43,14 @@ static bool is_single(const char *lines)
 static void print_faults(FILE *out, const char *head, const char *lines)
 {
     const bool is_list = !is_single(lines);
-    fprintf(out, "zraster: %s%s", head, is_list ? ":\n" : *head ? ": " : "");
+    fputs("zraster: ", out);
+    say_text(out, head, strlen(head));
+    fputs(is_list ? ":\n" : *head ? ": " : "", out);
     for (size_t length; *lines; lines += length + (lines[length] == '\n')) {
         length = strcspn(lines, "\n");
-        fprintf(out, "%s%.*s\n", is_list ? "  " : "", (int)length, lines);
+        if (is_list) fputs("  ", out);
+        say_text(out, lines, length);
+        fputc('\n', out);
     }
 }
 
@@ -69,6 +74,9 @@ void report_warnings(FILE *out, const char *file, const struct bytes *warnings)
     const char *line = bytes_text(warnings);
     for (size_t length; *line; line += length + (line[length] == '\n')) {
         length = strcspn(line, "\n");
-        fprintf(out, "%s%swarning: %.*s\n", file ? file : "", file ? ": " : "", (int)length, line);
+        if (file) say_text(out, file, strlen(file));
+        fprintf(out, "%swarning: ", file ? ": " : "");
+        say_text(out, line, length);
+        fputc('\n', out);
     }
 }

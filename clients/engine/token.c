@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "files/say.h"
+
 /* A token fits into a header line: visible ASCII. */
 static bool is_token(const char *text)
 {
@@ -18,13 +20,13 @@ static bool read_file(struct token *token, const char *path)
     FILE *file = fopen(path, "r");
     const bool has_line = file && fgets(token->text, TOKEN_SIZE, file);
     const bool failed = !file || ferror(file);
-    if (failed) fprintf(stderr, "zraster: cannot read the token file %s: %s\n", path, strerror(errno));
+    if (failed) say("cannot read the token file %s: %s", path, strerror(errno));
     if (file) fclose(file);
     if (failed) return false;
     const bool too_long = has_line && strlen(token->text) == TOKEN_SIZE - 1;
     token->text[strcspn(token->text, "\r\n")] = '\0';
     if (*token->text && !too_long && is_token(token->text)) return true;
-    fprintf(stderr, "zraster: the first line of %s is no token: visible ASCII characters, without spaces\n", path);
+    say("the first line of %s is no token: visible ASCII characters, without spaces", path);
     return false;
 }
 
@@ -33,7 +35,7 @@ static bool read_variable(struct token *token)
     const char *value = getenv("ZRASTER_TOKEN");
     if (!value) return true;
     if (strlen(value) >= TOKEN_SIZE || !is_token(value)) {
-        fprintf(stderr, "zraster: ZRASTER_TOKEN is no token: visible ASCII characters, without spaces\n");
+        say("ZRASTER_TOKEN is no token: visible ASCII characters, without spaces");
         return false;
     }
     strcpy(token->text, value);

@@ -9,6 +9,7 @@
 
 #include "endings.h"
 #include "files/bytes.h"
+#include "files/say.h"
 #include "parameter_kinds.h"
 #include "parameters.h"
 #include "scene/encodings.h"
@@ -21,9 +22,7 @@ int options_wrong(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    fputs("zraster: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    say_list(format, arguments);
     va_end(arguments);
     return STATUS_USAGE;
 }

@@ -3,11 +3,15 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "base/visible.h"
+
 static void add(struct faults *faults, const char *format, va_list arguments)
 {
     const size_t room = faults->size - faults->used;
     if (faults->used > 0 && room > 1) faults->text[faults->used++] = '\n';
-    const int length = vsnprintf(faults->text + faults->used, faults->size - faults->used, format, arguments);
+    char *line = faults->text + faults->used;
+    const int length = vsnprintf(line, faults->size - faults->used, format, arguments);
+    zr_make_visible(line, false);
     if (length > 0) faults->used += (size_t)length;
     if (faults->used >= faults->size) faults->used = faults->size - 1;
 }

@@ -1,8 +1,10 @@
 #include "file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "unknown.h"
 #include "value.h"
@@ -12,10 +14,15 @@ enum { PLACE_SIZE = CONFIG_TEXT_SIZE + 16, QUOTED = 40 };
 /* Reads at most FILE_BYTES_MAX bytes and a 0 after them. NULL: that is a fault. */
 static char *read_whole(const char *path, size_t *size, struct faults *faults)
 {
-    FILE *in = fopen(path, "re");
-    char *bytes = in ? malloc(FILE_BYTES_MAX + 2) : NULL;
+    struct stat info;
+    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* no waiting for the other end of a pipe */
+    FILE *in = fd >= 0 ? fdopen(fd, "r") : NULL;
+    const bool is_regular = in && fstat(fd, &info) == 0 && S_ISREG(info.st_mode);
+    char *bytes = is_regular ? malloc(FILE_BYTES_MAX + 2) : NULL;
     if (bytes) *size = fread(bytes, 1, FILE_BYTES_MAX + 1, in);
-    if (!bytes || ferror(in)) {
+    if (in && !is_regular) {
+        faults_add(faults, "the file of settings '%.200s' is no regular file", path);
+    } else if (!bytes || ferror(in)) {
         faults_add(faults, "cannot read the file of settings '%.200s': %s", path, strerror(errno));
     } else if (*size > FILE_BYTES_MAX) {
         faults_add(faults, "the file of settings '%.200s' has more than %d bytes", path, FILE_BYTES_MAX);

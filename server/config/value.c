@@ -109,8 +109,9 @@ static const struct {
     [ORIGINS] = {are_origins, "is no list of origins such as https://example.org: scheme and host, without a path or a "
                               "/ at the end"},
     [SWITCH] = {is_switch, "is neither on nor off"},
-    [NETWORKS] = {are_networks, "is no list of addresses and networks such as 10.0.0.1, 10.0.0.0/8, 2001:db8::/32, "
-                                "loopback and private"},
+    [NETWORKS] = {are_networks,
+                  "is no list of addresses and networks such as 10.0.0.1, 10.0.0.0/8, 2001:db8::/32, "
+                  "loopback and private; a network of all addresses (/0) would let each client choose its own"},
     [CLIENT_HEADER] = {is_client_header, "is none of x-forwarded-for, forwarded and none"},
     [FOLDER] = {is_any, ""},
 };

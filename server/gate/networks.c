@@ -30,7 +30,8 @@ static bool parse_network(struct network *network, const char *text, size_t leng
     network->bits = 8 * IP_SIZE - offset;
     if (slash && !parse_bits(slash + 1, length - address_length - 1, network->bits, &network->bits)) return false;
     network->bits += offset;
-    return true;
+    const bool is_all_of_four = ip_is_four(&network->prefix) && network->bits <= FOUR_OFFSET;
+    return network->bits > 0 && !is_all_of_four;
 }
 
 bool networks_parse(struct networks *networks, const char *list)

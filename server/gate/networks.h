@@ -18,7 +18,7 @@ struct networks {
 };
 
 /* Parses a list with spaces or commas between its items: addresses, networks ("10.0.0.0/8", "2001:db8::/32"), and the
- * words "loopback" and "private". False: an item is none of these, or there are too many. */
+ * words "loopback" and "private". False: an item is none of these or all addresses (/0), or there are too many. */
 bool networks_parse(struct networks *networks, const char *list);
 
 bool networks_contain(const struct networks *networks, const struct ip *ip);

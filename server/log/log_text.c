@@ -5,43 +5,22 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/visible.h"
 #include "input/text/text.h"
 #include "text.h"
 
 enum { NAME_SIZE = 16 };
-
-/* Returns the code point of a character of valid UTF-8, up to U+FFFF, and its length; longer ones as 0. */
-static unsigned decode(const unsigned char *c, size_t *length)
-{
-    *length = c[0] < 0x80 ? 1 : c[0] < 0xE0 ? 2 : c[0] < 0xF0 ? 3 : 4;
-    switch (*length) {
-    case 1:
-        return c[0];
-    case 2:
-        return (c[0] & 0x1Fu) << 6 | (c[1] & 0x3Fu);
-    case 3:
-        return (c[0] & 0xFu) << 12 | (c[1] & 0x3Fu) << 6 | (c[2] & 0x3Fu);
-    default:
-        return 0;
-    }
-}
-
-static bool is_unsafe(unsigned code)
-{
-    const bool is_control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-    const bool is_mark = code == 0x61C || code == 0xFEFF || (code >= 0x200B && code <= 0x200F) ||
-                         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F);
-    return is_control || is_mark;
-}
 
 void log_text_escape(char out[LOG_TEXT_ESCAPED_SIZE], const char *text)
 {
     char clean[LOG_TEXT_SIZE];
     size_t used = 0, length;
     text_to_utf8(clean, sizeof clean, text);
+    const char *const end = clean + strlen(clean);
     for (const char *c = clean; *c; c += length) {
-        const unsigned code = decode((const unsigned char *)c, &length);
-        if (length < 4 && is_unsafe(code)) {
+        length = zr_utf8_length(c, end);
+        const unsigned code = zr_code_point(c, length);
+        if (!zr_is_visible(code)) {
             used += (size_t)snprintf(out + used, LOG_TEXT_ESCAPED_SIZE - used, "\\u%04x", code);
             continue;
         }

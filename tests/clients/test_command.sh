@@ -402,6 +402,17 @@ wait $watcher
 verdict "and ends with 130" [ $? = 130 ]
 watcher=
 
+# names that would command the terminal
+odd=$(printf 'odd\033[31m\302\233\177.stl')
+is_visible() { ! LC_ALL=C grep -q "$(printf '[\033\177\233]')" "$said" "$complained" && grep -qF 'odd?[31m' "$said" "$complained"; }
+mkdir odd-out
+for line in "$odd" "render part.stl -o x/$odd" "batch $odd -o odd-out" "info $odd" "compare $odd $odd" "part.stl --part $odd=$odd" \
+    "mcp --root $odd" "part.stl --token-file $odd --server http://127.0.0.1:1" "batch --list $odd -o odd-out" "part.stl --$odd" "watch part.stl --part a=$odd"; do
+    # shellcheck disable=SC2086
+    "$zraster" $line >"$said" 2>"$complained" </dev/null
+    verdict "no control byte is printed: zraster $(printf %s "$line" | LC_ALL=C tr -d '\000-\037\177-\377')" is_visible
+done
+
 # terminals
 TERM=xterm-kitty script -qec "'$zraster' part.stl -s 16 --show" typescript </dev/null >"$said" 2>"$complained"
 verdict "kitty gets its protocol" grep -q '_Gf=100,a=T,m=0;iVBORw0KGgo' "$said"

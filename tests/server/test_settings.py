@@ -39,6 +39,31 @@ class Case(unittest.TestCase):
         return {key: (value, source) for key, value, source in re.findall(r"^(?:# )?([a-z-]+) = ?(.*?)  # (.*)$", done.stdout, re.M)}
 
 
+class Strangers(Case):
+    """Names and values that would command the terminal, and files that never end."""
+
+    def test_control_bytes(self):
+        """no fault has a byte that commands the terminal, be it of a file's name, a key or a value"""
+        odd = "a\x1b[31m\x7f\u009b2J\u202e"
+        said = self.faults(f"--config={odd}") + self.faults(text=f"{odd} = 1\nport = {odd}\n") + self.faults(f"--{odd}=1")
+        said += self.faults(f"--assets-dir={odd}") + self.faults(f"--token-file={odd}")
+        self.assertGreaterEqual(len(said), 6)
+        self.assertEqual([c for line in said for c in line if c < " " or c in "\x7f\x9b\u202e"], [])
+        done = self.run_with(f"--token-file={odd}")
+        self.assertNotIn("\x1b", done.stderr)
+        self.assertIn("a?[31m", done.stderr)
+
+    def test_pipe(self):
+        """a file of settings that is a pipe is refused, and not waited for"""
+        os.mkfifo(os.path.join(self.folder.name, "pipe"))
+        self.assertEqual(self.faults("--config=pipe"), ["the file of settings 'pipe' is no regular file"])
+
+    def test_all_proxies(self):
+        """a network of all addresses is no list of trusted proxies"""
+        for text in ("0.0.0.0/0", "::/0"):
+            self.assertRegex(self.faults(f"--trusted-proxies={text}")[0], "would let each client choose its own")
+
+
 class Order(Case):
     def test_order(self):
         """a flag is before a variable, a variable before the file, the file before the default"""
