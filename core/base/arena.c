@@ -85,11 +85,6 @@ static void free_spares(struct zr_arena *arena)
     arena->spare_bytes = 0;
 }
 
-void zr_arena_drop_spares(struct zr_arena *arena)
-{
-    free_spares(arena);
-}
-
 /* Takes the smallest spare block that is large enough, unless more than half of it would be unused; NULL: none. Returns
  * the bytes beyond `size` to the system, as a new block would not have them: a request's memory does not depend on
  * earlier requests. */

@@ -58,9 +58,6 @@ size_t zr_arena_block_bytes(size_t bytes);
 /* Empties the arena, clears `failed` and `wanted`, and frees blocks beyond `keep` bytes. */
 void zr_arena_reset(struct zr_arena *arena, size_t keep);
 
-/* Frees the blocks that hold no allocation. */
-void zr_arena_drop_spares(struct zr_arena *arena);
-
 /* Return `count` objects of `size` bytes, aligned to ZR_ARENA_ALIGN, undefined or zero. Return NULL once the arena has
  * failed, or if count * size overflows. A count of 0 gives a pointer that must not be read. */
 void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size);

@@ -389,6 +389,12 @@ struct zr_cost_most zr_cost_most(const struct zr_cost *cost)
     return (struct zr_cost_most){1e-6 * cost->counts[most] * ROWS[most].ns, cost->counts[most], ROWS[most].words};
 }
 
+void zr_cost_add(struct zr_cost *cost, enum zr_cost_kind kind, double count)
+{
+    cost->ms += 1e-6 * count * ROWS[kind].ns;
+    cost->counts[kind] += count;
+}
+
 void zr_cost_remove(struct zr_cost *cost, enum zr_cost_kind kind)
 {
     cost->ms -= 1e-6 * cost->counts[kind] * ROWS[kind].ns;

@@ -44,6 +44,7 @@
     ROW(DRAWN_TRIANGLE, 1000.0, "triangles whose lines are found")                                                     \
     ROW(DRAWN_PIXEL, 4.0, "pixels of faces in which lines are found, hidden ones too")                                 \
     ROW(DRAWN_PAIR, 0.35, "pairs of triangles within 8 x 8 pixels, for lines of the mesh")                             \
+    ROW(FRAME_OBJECT, 500.0, "objects of the file that frames read again")                                             \
     ROW(MAP_TEXEL, 18.0, "texels of shadow maps")                                                                      \
     ROW(MAP_FRAGMENT, 0.24, "texels of faces in shadow maps")                                                          \
     ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \
@@ -86,6 +87,9 @@ struct zr_cost_most {
     const char *words;
 };
 struct zr_cost_most zr_cost_most(const struct zr_cost *cost);
+
+/* Adds work of a kind. */
+void zr_cost_add(struct zr_cost *cost, enum zr_cost_kind kind, double count);
 
 /* Removes the work of a kind, which another view of the request does. */
 void zr_cost_remove(struct zr_cost *cost, enum zr_cost_kind kind);

@@ -82,13 +82,10 @@ static void draw_alone(struct batch *batch, uint32_t number)
 size_t zr_drawn_view_shrink(void *memory)
 {
     const struct batch *batch = memory;
-    size_t held;
-    zr_arena_drop_spares(batch->run->arena);
-    held = zr_arena_bytes(batch->run->arena);
+    size_t held = zr_arena_bytes(batch->run->arena);
     for (uint32_t i = 0; i < batch->width; i++) {
         struct drawing *d = &batch->drawings[i];
         zr_arena_free(&d->arena);
-        zr_arena_drop_spares(&d->out);
         held += zr_arena_bytes(&d->out);
     }
     return held;

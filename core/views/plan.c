@@ -41,6 +41,39 @@ static void add_cost(struct zr_cost *sum, const struct zr_cost *cost, double tim
     sum->lamp_maps = cost->lamp_maps;
 }
 
+static double count_objects(const char *text, size_t size)
+{
+    double count = 0.0;
+    for (const char *at = text, *const end = text + size; (at = memchr(at, '{', (size_t)(end - at))); at++)
+        count += 1.0;
+    return count;
+}
+
+/* Returns the size of the JSON text of a file of glTF, which ends before the binary chunk. */
+static size_t json_size(const struct zr_kept *kept)
+{
+    enum { LENGTH = 12, CHUNK = 20 };
+    const unsigned char *bytes = (const unsigned char *)kept->body;
+    if (kept->body_size < CHUNK || memcmp(bytes, "glTF", 4) != 0) return kept->body_size;
+    const size_t size = CHUNK + ((size_t)bytes[LENGTH] | (size_t)bytes[LENGTH + 1] << 8 |
+                                 (size_t)bytes[LENGTH + 2] << 16 | (size_t)bytes[LENGTH + 3] << 24);
+    return size < kept->body_size ? size : kept->body_size;
+}
+
+struct zr_cost zr_views_foretell(const struct zr_views *views)
+{
+    enum { READS = 2 };
+    const struct zr_kept *kept = views->kept;
+    struct zr_cost cost = {.ms = 0.0};
+    double objects = 0.0;
+    if (!zr_view_set_is_animation(views->set)) return cost;
+    if (kept->body) objects += count_objects(kept->body, json_size(kept));
+    for (size_t i = 0; i < kept->key_count; i++)
+        objects += count_objects(kept->keys[i].value, kept->keys[i].size);
+    zr_cost_add(&cost, ZR_COST_FRAME_OBJECT, READS * objects * (double)views->set->count);
+    return cost;
+}
+
 static uint64_t pixels_of(const struct zr_view *view)
 {
     uint64_t words = 0;
@@ -155,6 +188,7 @@ static enum zr_status plan(const struct zr_run *run, struct zr_views *views)
     uint64_t pixels = 0;
     views->has_one_window = true;
     views->shares_parts = false;
+    views->cost = zr_views_foretell(views);
     views->bounds = zr_bounds_of(views->scene, run->team, run->cancel);
     enum zr_status status = check_names(views, run->scratch, run->error);
     if (status == ZR_OK) status = lay_out_sheet(views, run->error);

@@ -50,6 +50,10 @@ enum zr_status zr_views_read(const struct zr_run *run, const struct zr_request *
 /* Returns the views of a kept scene. */
 struct zr_views zr_views_of_kept(const struct zr_kept *kept);
 
+/* Returns the part of the cost that is known before the views are read: frames of an animation read the file again, for
+ * their common camera and to be drawn. `views->set` is not NULL. */
+struct zr_cost zr_views_foretell(const struct zr_views *views);
+
 /* Checks all views, finds the camera that they share, and predicts their cost. `views->set` is not NULL. Errors: those
  * of each view, at its place such as /views/3/view/eye; ZR_BAD_SCENE if views have the same name, or more pixels
  * together than limits.view_pixels_max. */

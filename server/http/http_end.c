@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "clock.h"
-#include "http_work.h"
+#include "http_room.h"
 #include "log/log.h"
 #include "metrics/metrics.h"
 
@@ -79,7 +79,7 @@ void http_close_exchange(struct exchange *exchange)
 {
     struct http *http = exchange->http;
     http_log_exchange(exchange);
-    http_leave_client(exchange);
+    http_room_leave(exchange);
     upload_free(&exchange->upload, &http->uploads);
     if (exchange->request.stream) stream_free(&exchange->stream);
     free(exchange->request.render);

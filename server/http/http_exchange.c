@@ -9,6 +9,7 @@
 #include "accept.h"
 #include "clock.h"
 #include "http_end.h"
+#include "http_room.h"
 #include "http_work.h"
 #include "problem.h"
 #include "router.h"
@@ -260,8 +261,8 @@ static struct load load_for(struct http *http, struct client *client, uint64_t b
         .draining = atomic_load(&http->draining),
         .queue = queue_busy_with(http->queue, lane, lane == QUEUE_LARGE ? count_coming(http) : 0),
         .large_queue = queue_busy_with(http->queue, QUEUE_LARGE, 0),
-        .answers_full = http_answers_are_full(http),
-        .client_full = http_client_is_full(http, client),
+        .answers_full = http_room_is_full(http),
+        .client_full = http_room_is_taken_by(http, client),
         .retry_after_s = queue_wait_estimate_s(http->queue, lane),
     };
 }

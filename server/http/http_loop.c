@@ -12,6 +12,7 @@
 #include "gate/gate.h"
 #include "http_exchange.h"
 #include "http_receive.h"
+#include "http_room.h"
 #include "http_work.h"
 #include "log/log.h"
 
@@ -235,7 +236,7 @@ static void end_overdue(struct http *http, struct connection *connection, int64_
 
 static void end_all_overdue(struct http *http, int64_t now)
 {
-    http->connections.is_short = http_is_short(http);
+    http->connections.is_short = http_room_is_short(http);
     for (struct connection *c = http->connections.first, *next; c; c = next) {
         next = c->next;
         end_overdue(http, c, now);

@@ -4,65 +4,13 @@
 
 #include "clock.h"
 #include "http_end.h"
+#include "http_room.h"
 #include "problem.h"
 #include "routes/parts.h"
 
 enum queue_lane http_lane_of(uint64_t body_bytes)
 {
     return body_bytes > REQUEST_SMALL_BYTES ? QUEUE_LARGE : QUEUE_SMALL;
-}
-
-/* ---- memory of answers ---- */
-
-/* Large answers and streams leave a part of answer_memory_bytes to small answers, and a client half of it to others. */
-enum { SMALL_PART = 8, CLIENT_PART = 2 };
-
-bool http_answers_are_full(struct http *http)
-{
-    return atomic_load(&http->answer_bytes) >= http->config->answer_memory_bytes;
-}
-
-/* Returns true if `more` bytes beside the waiting answers would take the part of the small ones. */
-static bool is_room_of_small(struct http *http, size_t more)
-{
-    const uint64_t most = http->config->answer_memory_bytes;
-    return atomic_load(&http->answer_bytes) + more >= most - most / SMALL_PART;
-}
-
-bool http_client_is_full(const struct http *http, struct client *client)
-{
-    return client && atomic_load(&client->answer_bytes) > http->config->answer_memory_bytes / CLIENT_PART;
-}
-
-bool http_is_short(struct http *http)
-{
-    const struct config *config = http->config;
-    return 4 * atomic_load(&http->streams) >= 3 * config->max_streams ||
-           atomic_load(&http->answer_bytes) / 3 >= config->answer_memory_bytes / 4;
-}
-
-static void hold(struct exchange *exchange, size_t bytes)
-{
-    atomic_fetch_add(&exchange->http->answer_bytes, bytes);
-    if (exchange->holder) atomic_fetch_add(&exchange->holder->answer_bytes, bytes);
-}
-
-static void let_go(struct exchange *exchange, size_t bytes)
-{
-    atomic_fetch_sub(&exchange->http->answer_bytes, bytes);
-    if (exchange->holder) atomic_fetch_sub(&exchange->holder->answer_bytes, bytes);
-}
-
-/* Returns true if the client has no other answer that waits. */
-static bool is_alone(const struct exchange *exchange)
-{
-    return atomic_load(&exchange->holder->answer_bytes) <= exchange->answer_bytes + exchange->stream.held_bytes;
-}
-
-void http_leave_client(struct exchange *exchange)
-{
-    let_go(exchange, exchange->answer_bytes);
-    if (exchange->holder) clients_leave(&exchange->http->connections.clients, exchange->holder);
 }
 
 /* ---- on a worker ---- */
@@ -91,33 +39,15 @@ static void hand_over(struct exchange *exchange, struct answer *answer, size_t b
     exchange->answer = *answer;
     *answer = (struct answer){0};
     exchange->answer_bytes = bytes;
-    hold(exchange, bytes);
+    http_room_take(exchange, bytes);
     report(exchange, true, has_ended);
 }
 
 /* ---- of a stream, on a worker ---- */
 
-static void count_stream(struct exchange *exchange, size_t by)
-{
-    atomic_fetch_add(&exchange->http->streams, by);
-    if (exchange->holder) atomic_fetch_add(&exchange->holder->streams, by);
-}
-
-/* A client has half of the places at most, but one. */
 static enum refusal open_stream(void *context)
 {
-    struct exchange *exchange = context;
-    struct http *http = exchange->http;
-    const size_t most = (size_t)http->config->max_streams, half = most / CLIENT_PART, share = half ? half : 1;
-    if (http_answers_are_full(http) || is_room_of_small(http, 0)) return REFUSAL_ANSWERS;
-    count_stream(exchange, 1);
-    const enum refusal refusal = atomic_load(&http->streams) > most ? REFUSAL_STREAMS
-                                 : exchange->holder && atomic_load(&exchange->holder->streams) > share
-                                     ? REFUSAL_STREAM_SHARE
-                                     : REFUSAL_NONE;
-    exchange->has_stream = !refusal;
-    if (refusal) count_stream(exchange, SIZE_MAX);
-    return refusal;
+    return http_room_open_stream(context);
 }
 
 static void begin_stream(void *context, struct answer *answer)
@@ -140,15 +70,13 @@ static enum refusal wait_for_reader(void *context, bool begins)
     const size_t held = exchange->stream.held_bytes;
     enum refusal refusal = REFUSAL_NONE;
     if (begins) {
-        if (is_room_of_small(http, held)) refusal = REFUSAL_ANSWERS;
-        hold(exchange, held);
-        if (http_client_is_full(http, exchange->holder) && !is_alone(exchange)) refusal = REFUSAL_SHARE;
+        refusal = http_room_take_stream(exchange, held);
         exchange->spent_ms = clock_ms() - atomic_load(&exchange->work_began_ms);
         atomic_store(&exchange->work_began_ms, 0);
         queue_step_aside(queue, &exchange->job);
     } else {
         queue_step_back(queue, &exchange->job);
-        let_go(exchange, held);
+        http_room_return(exchange, held);
         atomic_store(&exchange->work_began_ms, clock_ms() - exchange->spent_ms);
     }
     return refusal;
@@ -205,9 +133,9 @@ static void work(struct queue_job *job, struct zr_arena *arena)
     atomic_store(&exchange->work_began_ms, clock_ms());
     exchange->request.small_only = job->overdue != NULL;
     exchange->cancel.parent = job->overdue;
-    exchange->request.load.answers_short = is_room_of_small(http, 0);
+    exchange->request.load.answers_short = http_room_is_small(http, 0);
     bool cancelled = atomic_load(&exchange->cancel.raised);
-    if (!cancelled && !exchange->request.asset && http_answers_are_full(http)) /* assets take no memory */
+    if (!cancelled && !exchange->request.asset && http_room_is_full(http)) /* assets take no memory */
         problem_busy(made, queue_wait_estimate_s(http->queue, QUEUE_LARGE), REFUSAL_ANSWERS);
     else if (!cancelled && begin(exchange, arena) == REQUEST_LARGE && put_back(exchange, arena))
         return;
@@ -215,7 +143,7 @@ static void work(struct queue_job *job, struct zr_arena *arena)
         answer_free(made);
         problem_busy(made, 1, REFUSAL_DRAINING);
     }
-    if (exchange->has_stream) count_stream(exchange, SIZE_MAX);
+    http_room_close_stream(exchange);
     if (exchange->stream.is_begun) {
         parts_end(&exchange->stream, made);
         report(exchange, false, true);

@@ -38,17 +38,4 @@ void http_cancel_work(struct exchange *exchange);
 /* Returns the deadline of the work on a request; INT64_MAX: no worker has begun. */
 int64_t http_work_deadline_ms(const struct exchange *exchange);
 
-/* Returns true if unsent answers, and works that wait for their readers, fill answer_memory_bytes. */
-bool http_answers_are_full(struct http *http);
-
-/* Returns true if those of a client fill more than its share. Any thread may call it; `client` may be NULL. */
-bool http_client_is_full(const struct http *http, struct client *client);
-
-/* Returns true if three quarters of answer_memory_bytes or of max_streams are taken: slow readers are then cut off
- * early, so that others need not wait. */
-bool http_is_short(struct http *http);
-
-/* Subtracts the exchange's answer from that of its client, whom it leaves. */
-void http_leave_client(struct exchange *exchange);
-
 #endif

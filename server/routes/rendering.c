@@ -228,29 +228,44 @@ static enum zr_status find_cost(struct rendering *r, struct zr_views *views, con
     return status;
 }
 
+static double predicted_ms(const struct rendering *r)
+{
+    return r->cost.ms * slowness_of(r->work->service->slowness, r->cost.ms > SMALL_MS);
+}
+
+static bool is_too_long(const struct rendering *r)
+{
+    return predicted_ms(r) > (double)r->work->service->config->cost_max_ms;
+}
+
+static enum zr_status refuse_cost(const struct rendering *r)
+{
+    const struct zr_cost_most most = zr_cost_most(&r->cost);
+    const double ms = predicted_ms(r);
+    return zr_error_add(r->run.error, ZR_BAD_SCENE, NULL,
+                        "the work is predicted to take %.3g s of processor time, more than costMaxMs, %" PRIu64
+                        " ms; %.3g s of that are for %.3g %s: fewer of these take less",
+                        1e-3 * ms, r->work->service->config->cost_max_ms, 1e-3 * ms * most.ms / r->cost.ms, most.count,
+                        most.words);
+}
+
 /* Predicts the cost, and refuses too large work. If the search for the view was cancelled, the prediction still decides
  * whether the request is large. */
 static enum zr_status predict(struct rendering *r, struct zr_views *views, const struct zr_resolved_view **resolved)
 {
-    const struct service *service = r->work->service;
     const struct zr_scene *scene = views->scene;
     if (too_large(r, views->set && views->set->count > SMALL_VIEWS)) return ZR_CANCELLED;
+    if (views->set) r->cost = zr_views_foretell(views);
+    if (is_too_long(r)) return refuse_cost(r);
     const enum zr_status status = find_cost(r, views, resolved);
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
-    const double slowness = slowness_of(service->slowness, r->cost.ms > SMALL_MS);
-    const double predicted_ms = r->work->times->predicted_ms = r->cost.ms * slowness;
+    r->work->times->predicted_ms = predicted_ms(r);
     const bool may_wait = is_stream(r, views); /* for its reader */
     if (too_large(r, may_wait || r->cost.ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
     if (!has_memory(r)) return ZR_NO_MEMORY;
     if (!may_wait && r->work->request->load.answers_short && is_large_answer(r)) r->busy = REFUSAL_ANSWERS;
     if (r->busy) return ZR_CANCELLED;
-    if (predicted_ms <= (double)service->config->cost_max_ms) return status;
-    const struct zr_cost_most most = zr_cost_most(&r->cost);
-    return zr_error_add(r->run.error, ZR_BAD_SCENE, NULL,
-                        "the work is predicted to take %.3g s of processor time, more than costMaxMs, %" PRIu64
-                        " ms; %.3g s of that are for %.3g %s: fewer of these take less",
-                        1e-3 * predicted_ms, service->config->cost_max_ms, 1e-3 * most.ms * slowness, most.count,
-                        most.words);
+    return is_too_long(r) ? refuse_cost(r) : status;
 }
 
 /* Joins several files into an archive, unless the answer has them as parts. */

@@ -406,7 +406,7 @@ watcher=
 odd=$(printf 'odd\033[31m\302\233\177.stl')
 is_visible() { ! LC_ALL=C grep -q "$(printf '[\033\177\233]')" "$said" "$complained" && grep -qF 'odd?[31m' "$said" "$complained"; }
 mkdir odd-out
-for line in "$odd" "render part.stl -o x/$odd" "batch $odd -o odd-out" "info $odd" "compare $odd $odd" "part.stl --part $odd=$odd" \
+for line in "$odd" "batch $odd -o odd-out" "info $odd" "compare $odd $odd" "part.stl --part $odd=$odd" \
     "mcp --root $odd" "part.stl --token-file $odd --server http://127.0.0.1:1" "batch --list $odd -o odd-out" "part.stl --$odd" "watch part.stl --part a=$odd"; do
     # shellcheck disable=SC2086
     "$zraster" $line >"$said" 2>"$complained" </dev/null

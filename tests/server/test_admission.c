@@ -62,6 +62,54 @@ static char *scene_of_lamps(unsigned lamps, bool have_shadows, const char *keys)
     return scene;
 }
 
+/* A model of nodes that one animation moves, each by a channel of its own. */
+static char *model_of_moving_nodes(int count)
+{
+    static const char BUFFER[] =
+        "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAA=";
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    assert_non_null(out);
+    fprintf(out,
+            "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":68,\"uri\":\"data:;base64,%s\"}],"
+            "\"bufferViews\":[{\"buffer\":0,\"byteLength\":68}],\"accessors\":["
+            "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]},"
+            "{\"bufferView\":0,\"byteOffset\":36,\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\",\"min\":[0],"
+            "\"max\":[1]},{\"bufferView\":0,\"byteOffset\":44,\"componentType\":5126,\"count\":2,\"type\":\"VEC3\"}],"
+            "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+            "\"animations\":[{\"samplers\":[{\"input\":1,\"output\":2}],\"channels\":[",
+            BUFFER);
+    for (int i = 0; i < count; i++)
+        fprintf(out, "%s{\"sampler\":0,\"target\":{\"node\":%d,\"path\":\"translation\"}}", i ? "," : "", i);
+    fprintf(out, "]}],\"nodes\":[");
+    for (int i = 0; i < count; i++)
+        fprintf(out, "%s{\"mesh\":0}", i ? "," : "");
+    fprintf(out, "],\"scenes\":[{\"nodes\":[");
+    for (int i = 0; i < count; i++)
+        fprintf(out, "%s%d", i ? "," : "", i);
+    fprintf(out, "]}]}");
+    assert_int_equal(fclose(out), 0);
+    return text;
+}
+
+TEST(frames_that_read_too_many_nodes_again_are_refused_before_the_first)
+{
+    static const char *const TYPE[] = {"Content-Type: model/gltf+json", NULL};
+    struct daemon daemon = daemon_start(LIST("--cost-max-ms=4000", "--render-timeout-ms=600000"));
+    char *many = model_of_moving_nodes(2000), *few = model_of_moving_nodes(2);
+    static const char MANY[] = "/v1/render?width=16&height=16&frames=4096",
+                      FEW[] = "/v1/render?width=16&height=16&frames=3";
+    struct reply reply = client_send(&daemon, "POST", MANY, TYPE, many, strlen(many));
+    assert_problem(reply, 422, "objects of the file that frames read again");
+    reply = client_send(&daemon, "POST", FEW, TYPE, few, strlen(few));
+    assert_int_equal(reply.status, 200);
+    reply_free(&reply);
+    free(many);
+    free(few);
+    daemon_stop(&daemon);
+}
+
 TEST(light_that_takes_too_long_is_refused_beforehand)
 {
     static const struct {
