@@ -38,16 +38,27 @@ void http_room_return(struct exchange *exchange, size_t bytes)
     if (exchange->holder) atomic_fetch_sub(&exchange->holder->answer_bytes, bytes);
 }
 
+/* Adds to a sum that stays below `end`. */
+static bool add_below(atomic_size_t *sum, size_t bytes, uint64_t end)
+{
+    size_t before = atomic_load(sum);
+    do
+        if (before + bytes >= end) return false;
+    while (!atomic_compare_exchange_weak(sum, &before, before + bytes));
+    return true;
+}
+
 /* The first answer of a client that waits may take more than its share: the others are less than half of that. */
 enum refusal http_room_take_stream(struct exchange *exchange, size_t bytes)
 {
     struct http *http = exchange->http;
-    const bool has_room = !http_room_is_small(http, bytes);
-    http_room_take(exchange, bytes);
-    if (!has_room) return REFUSAL_ANSWERS;
-    if (!http_room_is_taken_by(http, exchange->holder)) return REFUSAL_NONE;
-    const size_t others = atomic_load(&exchange->holder->answer_bytes) - exchange->answer_bytes - bytes;
-    return others > http->config->answer_memory_bytes / CLIENT_PART / 2 ? REFUSAL_SHARE : REFUSAL_NONE;
+    struct client *client = exchange->holder;
+    const uint64_t most = http->config->answer_memory_bytes, share = most / CLIENT_PART;
+    const size_t others = client ? atomic_load(&client->answer_bytes) - exchange->answer_bytes : 0;
+    if (others + bytes > share && others > share / 2) return REFUSAL_SHARE;
+    if (!add_below(&http->answer_bytes, bytes, most - most / SMALL_PART)) return REFUSAL_ANSWERS;
+    if (client) atomic_fetch_add(&client->answer_bytes, bytes);
+    return REFUSAL_NONE;
 }
 
 static void count_stream(struct exchange *exchange, size_t by)

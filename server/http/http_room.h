@@ -27,8 +27,7 @@ bool http_room_is_short(struct http *http);
 void http_room_take(struct exchange *exchange, size_t bytes);
 void http_room_return(struct exchange *exchange, size_t bytes);
 
-/* Counts the bytes of a stream that begins to wait. Returns why there is no room for them; they count nevertheless until
- * the wait ends. */
+/* Counts the bytes of a stream that begins to wait, or returns why there is no room for them. */
 enum refusal http_room_take_stream(struct exchange *exchange, size_t bytes);
 
 /* Counts a stream, unless it has no place, and counts it no more. */

@@ -71,6 +71,7 @@ static enum refusal wait_for_reader(void *context, bool begins)
     enum refusal refusal = REFUSAL_NONE;
     if (begins) {
         refusal = http_room_take_stream(exchange, held);
+        if (refusal) exchange->stream.held_bytes = 0; /* it ends at once */
         exchange->spent_ms = clock_ms() - atomic_load(&exchange->work_began_ms);
         atomic_store(&exchange->work_began_ms, 0);
         queue_step_aside(queue, &exchange->job);

@@ -49,9 +49,7 @@ class Strangers(Case):
         said += self.faults(f"--assets-dir={odd}") + self.faults(f"--token-file={odd}")
         self.assertGreaterEqual(len(said), 6)
         self.assertEqual([c for line in said for c in line if c < " " or c in "\x7f\x9b\u202e"], [])
-        done = self.run_with(f"--token-file={odd}")
-        self.assertNotIn("\x1b", done.stderr)
-        self.assertIn("a?[31m", done.stderr)
+        self.assertIn("a?[31m", " ".join(said))
 
     def test_pipe(self):
         """a file of settings that is a pipe is refused, and not waited for"""
@@ -146,7 +144,7 @@ class Lines(Case):
     def test_unreadable(self):
         """a file that cannot be read stops the daemon"""
         self.assertEqual(self.faults("--config", "none"), ["cannot read the file of settings 'none': No such file or directory"])
-        self.assertEqual(self.faults("--config", "."), ["cannot read the file of settings '.': Is a directory"])
+        self.assertEqual(self.faults("--config", "."), ["the file of settings '.' is no regular file"])
 
 
 class Names(Case):
