@@ -7,6 +7,9 @@ OBJCOPY ?= objcopy
 CFLAGS ?= -O3 -g1
 OURS := -std=c11 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wstrict-prototypes \
 	-Wmissing-prototypes -Werror=implicit-function-declaration -Wvla -D_GNU_SOURCE -Icore -Iserver -Iclients -Itests -pthread
+# A frame larger than a page touches each of its pages, so that none passes the guard page of a thread's stack.
+probes := -fstack-clash-protection
+OURS += $(shell $(CC) $(probes) -Werror -fsyntax-only -x c /dev/null 2>/dev/null && echo $(probes))
 # Behind the user's flags: without it the pixels are not the reference's.
 EXACT := -ffp-contract=off
 sanitizers := address,undefined

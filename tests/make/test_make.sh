@@ -29,6 +29,13 @@ comm -23 "$work/one" "$said" >"$work/twice"
 verdict "an instruction set alone is compiled" [ -s "$work/one" ]
 verdict "as it is among all" [ ! -s "$work/twice" ]
 
+# A frame larger than a page must not pass the guard page of a thread's stack.
+if cc -fstack-clash-protection -Werror -fsyntax-only -x c /dev/null 2>"$complained"; then
+    verdict "each compilation probes its frames" [ "$(grep -vc -e ' -fstack-clash-protection ' "$work/one")" = 0 ]
+else
+    skip "each compilation probes its frames" "the compiler cannot"
+fi
+
 # Parts, of programs that speak TAP.
 program() { # NAME LINE...: one that prints the lines
     path=$work/fake/tests/$1
