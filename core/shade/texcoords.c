@@ -53,7 +53,7 @@ static double coordinate(const zr_vec4 *given, const struct zr_texture *texture,
 /* Returns the middle of coordinate k as a number of repeats: an even one, which mirrored images need. */
 static double middle_of(const struct zr_mesh *mesh, const struct zr_texture *texture, int k)
 {
-    double low = INFINITY, high = -INFINITY;
+    double low = (double)INFINITY, high = -(double)INFINITY;
     for (uint32_t i = 0; i < mesh->position_count; i++) {
         const double at = coordinate(&mesh->texcoords[i], texture, k);
         low = at < low ? at : low;

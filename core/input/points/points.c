@@ -42,7 +42,7 @@ size_t zr_points_add(struct zr_points *points, const double position[3])
     double *out = points->positions[points->count];
     const bool is_finite = isfinite(position[0]) && isfinite(position[1]) && isfinite(position[2]);
     memcpy(out, position, 3 * sizeof *out);
-    if (!is_finite) out[0] = NAN;
+    if (!is_finite) out[0] = (double)NAN;
     return points->count++;
 }
 
@@ -199,7 +199,7 @@ static bool read_not_finite(const struct zr_points_line *word, double *out)
     if (rest.at < rest.end && (*rest.at == '-' || *rest.at == '+')) rest.at++;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (zr_points_is(&rest, words[i])) {
-            *out = NAN;
+            *out = (double)NAN;
             return true;
         }
     return false;

@@ -71,7 +71,7 @@ static int value_of(const struct zr_points_line *word)
     while (plain.end > plain.at && (plain.end[-1] == '"' || plain.end[-1] == '\''))
         plain.end--;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (zr_points_is(&plain, names[i].name)) return names[i].value;
+        if (zr_points_is(&plain, names[i].name)) return (int)names[i].value;
     return NONE;
 }
 

@@ -43,8 +43,8 @@ TEST(off_has_colours_and_normals_of_vertices)
 {
     static const char *const texts[] = {
         "CNOFF3 1\n0 0 0 0 0 2 1 0 0 1\n1 0 0 0 0 1 0 1 0 1\n0 1 0 nan 0 1 0 0 1 1\n3 0 1 2\n",
-        "\xEF\xBB\xBF"
-        "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2\n",
+        ("\xEF\xBB\xBF"
+         "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2\n"),
         "OFF\n3 1 0\n0 0 0 1.0 0 0\n1 0 0 0 1.0 0\n0 1 0 0 0 1.0\n3 0 1 2\n"};
     for (size_t i = 0; i < 3; i++) {
         struct reading *reading = read_file_text(texts[i]);
