@@ -22,9 +22,6 @@
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
-static const char *const targets[] = {"json", "obj",      "mtl",     "stl",   "ply",   "gltf",      "3mf",
-                                      "zip",  "png",      "npy",     "array", "gzip",  "multipart", "image_png",
-                                      "jpeg", "zip_body", "meshopt", "webp",  "draco", "mcp",       "proxy"};
 
 void fail(const char *what)
 {
@@ -42,6 +39,7 @@ static void make_folder(const char *name)
 void write_seed(const char *target, const char *name, const void *bytes, size_t size)
 {
     char path[PATH_SIZE];
+    make_folder(target);
     snprintf(path, sizeof path, "%s/%s/%s", top, target, name);
     FILE *file = fopen(path, "wb");
     if (!file || fwrite(bytes, 1, size, file) != size || fclose(file) != 0) fail(path);
@@ -355,6 +353,7 @@ static void write_zip_body(void)
 static void write_gzip(const char *name, const char *text, size_t size, int level)
 {
     char path[PATH_SIZE], mode[] = "wb0";
+    make_folder("gzip");
     snprintf(path, sizeof path, "%s/gzip/%s", top, name);
     mode[2] = (char)('0' + level);
     gzFile file = gzopen(path, mode);
@@ -423,8 +422,6 @@ int main(int count, char **arguments)
     }
     top = arguments[1];
     make_folder("");
-    for (size_t i = 0; i < sizeof targets / sizeof *targets; i++)
-        make_folder(targets[i]);
     write_scenes();
     write_models();
     write_draco();

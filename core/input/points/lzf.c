@@ -7,8 +7,9 @@ enum { LITERALS_MAX = 32, LONG_COPY = 7, STEPS_PER_CANCEL_CHECK = 1 << 14 };
 /* Copies `length` bytes from `distance` before; both may overlap. */
 static void copy(unsigned char *out, size_t distance, size_t length)
 {
-    for (size_t i = 0; i < length; i++)
-        out[i] = out[i - distance];
+    const unsigned char *from = out - distance;
+    while (length-- > 0)
+        *out++ = *from++;
 }
 
 bool zr_lzf_decode(const unsigned char *bytes, size_t size, unsigned char *out, size_t out_size,
