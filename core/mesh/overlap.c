@@ -8,6 +8,7 @@
 enum {
     QUICK_MOST = 128, /* rays along the longest side of the quick grid, and least of it */
     QUICK_LEAST = 32,
+    OVERLAPPING_FACES_LEAST = 6, /* a closed surface of fewer triangles is a tetrahedron */
     FINE = 256,
     SLENDER = 8, /* the shorter side has at least this part of the rays of the longer one */
     WORK_PER_CANCEL_CHECK = 1 << 12,
@@ -441,7 +442,7 @@ bool zr_overlap_find(struct zr_arena *arena, const struct zr_cancel *cancel, con
     *out = (struct zr_overlap){.is_found = false};
     w.middle = (struct zr_world_place){box->min[0] + half[0], box->min[1] + half[1], box->min[2] + half[2]};
     w.thin = 2.0 * THIN * sqrt((half[0] * half[0] + half[1] * half[1]) + half[2] * half[2]);
-    if (w.thin == 0.0) return true;
+    if (w.thin == 0.0 || faces->end - faces->begin < OVERLAPPING_FACES_LEAST) return true;
     turn_to(&w, 0, half);
     if (!look(&w, &sign, &out->is_found)) return false;
     for (int i = 0; i < 3 && out->is_found; i++) {
