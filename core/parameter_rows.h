@@ -101,8 +101,9 @@
         "0 to 100 (default: 0)")                                                                                       \
     ROW(explodeAxis, "/explode/axis", MESH, NAME, "axis along which parts move: x, y, z or radial (default: radial)")  \
     ROW(colors, "/colors", MESH, NAME,                                                                                 \
-        "own: colours of the model; parts: one colour per part, chosen by its name; materials: only base colours, "    \
-        "with the numbers of the file; x, y, z: by this coordinate (default: own)")                                    \
+        "own: colours of the model; parts: one per part, by its name; materials: base colours with the file's "        \
+        "numbers; "                                                                                                    \
+        "x, y, z: by position (default: own)")                                                                         \
     ROW(section, "/sections/planes", MESH, PLANES,                                                                     \
         "planes that cut the mesh open: x, y or z, a share of its bounds and a side, such as x:0.5 or x:0.5:positive") \
     ROW(sectionCorner, "/sections/corner", MESH, BOOL, "removal only of what all planes cut away (default: false)")    \

@@ -163,7 +163,7 @@ class Manifests(unittest.TestCase):
                 words = [place + one if one.startswith("/") else one.replace("$(JOB_COMPLETION_INDEX)", str(index)) for one in arguments]
                 statuses.append(run("zraster", *words).returncode)
             self.assertEqual(statuses, [1, 0, 0, 0])
-            self.assertEqual(sorted(os.listdir(place + "/pictures")), ["1.png", "2.png"])
+            self.assertEqual(sorted(os.listdir(place + "/pictures")), [".zraster-batch", "1.png", "2.png"])
             wrong = run("zraster", *[one.replace("$(JOB_COMPLETION_INDEX)", "100") for one in arguments]).returncode
             self.assertEqual(rule["onExitCodes"]["values"], [statuses[0], wrong])
 

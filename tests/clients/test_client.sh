@@ -127,7 +127,7 @@ verdict "and nothing is saved" [ ! -e two.png ]
 check "but as a ZIP" 0 "$client" render two.json -o two.ZIP
 check "an array is not saved as a picture" 2 "$client" render scene.json --channel depth -o depth.png
 verdict "and the message names the ending and the encoding of a picture" grep -q -e '-o depth.npy saves it; depth has a PNG, too: --encoding png16' complained
-check "a PNG is not saved as a GIF" 2 "$client" render scene.json -o v1.2/a.gif
+check "a PNG is not saved as a TGA" 2 "$client" render scene.json -o v1.2/a.tga
 verdict "and a folder's dot is no ending" grep -q -e '-o v1.2/a.png saves a picture' complained
 check "an unknown ending is refused" 2 "$client" render two.json -o two.part
 check "a name without an ending accepts any format" 0 "$client" render scene.json -o ./none
@@ -179,7 +179,7 @@ check "an unknown ending is no fault" 0 "$client" render mesh.wavefront
 printf '%%PDF-1.4 and so on' >document
 check "unknown bytes are" 1 "$client" render document
 verdict "and the message names their format" grep -q 'looks like a PDF document, which is none of: json, obj' complained
-check "an unknown type ends with 2" 2 "$client" render said --type off
+check "an unknown type ends with 2" 2 "$client" render said --type dae
 verdict "and the message lists the types" grep -q -e '--type accepts one of json obj 3mf zip stl ply glb gltf off pcd xyz, not dae' complained
 check "no file ends with 2" 2 "$client" render
 check "two files end with 2" 2 "$client" render scene.json two.json

@@ -35,7 +35,7 @@ box = [(x, y, z) for x in (1000, 1040) for y in (-500, -470) for z in (60, 72)]
 write(work + "/box.stl", fans(box, [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]))
 for path in glob.glob(data + "/*.obj"):
     name = os.path.basename(path)[:-4]
-    if name in ("openbox", "housing"):  # the first is open, the second has parts that overlap
+    if name in ("openbox", "housing", "gear"):  # the first is open, the others have shells that overlap
         continue
     places, faces = [], []
     for line in open(path):

@@ -145,8 +145,8 @@ const struct zr_json_field zr_scene_fields[] = {
              ZR_SCHEMA({"anyOf" : [ {"$ref" : "#/$defs/explode/properties/factor"}, {"$ref" : "#/$defs/explode"} ]})},
     [ZR_SCENE_COLORS] =
         {"colors", zr_read_colors, 0, .words = &zr_part_color_names, .otherwise = "own",
-         .text = "own: colours of the model; parts: one colour per part, chosen by its name; materials: only "
-                 "base colours, with the numbers of the file; x, y, z: by this coordinate in the world, from viridis"},
+         .text = "own: colours of the model; parts: one per part, by its name; materials: base colours with the file's "
+                 "numbers; x, y, z: by position"},
     [ZR_SCENE_SECTIONS] = {"sections", zr_read_sections, 0, .object = &zr_json_object_sections, .otherwise = "none",
                            .text = "planes that cut the scene open"},
     [ZR_SCENE_VIEWS] = {"views", zr_read_views, 0, .object = &zr_json_object_views, .otherwise = "the scene's one view",
