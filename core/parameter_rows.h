@@ -39,6 +39,9 @@
         "side of the camera: front, back, left, right, top, bottom or isometric (default: the look's view)")           \
     ROW(azimuth, "/view/azimuthDegrees", MESH, DEGREES, "angle of the camera to the right of the front")               \
     ROW(elevation, "/view/elevationDegrees", MESH, DEGREES, "angle of the camera above the horizon, -90 to 90")        \
+    ROW(eye, "/view/eye", MESH, VECTOR, "position of the camera, in coordinates of the file")                          \
+    ROW(target, "/view/target", MESH, VECTOR,                                                                          \
+        "point that the camera looks at, in coordinates of the file (default: the middle)")                            \
     ROW(padding, "/view/fit/padding", MESH, NUMBER, "share of the window left free on each side, 0 to 0.45")           \
     ROW(up, "/query/up", MESH, AXIS,                                                                                   \
         "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL and 3MF, else y)")           \

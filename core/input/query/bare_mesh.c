@@ -56,6 +56,11 @@ static void use_projection(const struct zr_query *query)
         view->yfov_radians = ZR_YFOV;
 }
 
+static bool gives_pose(const struct zr_request *request)
+{
+    return request->preset || request->azimuth || request->elevation || request->eye || request->target;
+}
+
 /* Uses a camera of the file, if the query names one. */
 static void use_camera(struct zr_query *query)
 {
@@ -64,9 +69,9 @@ static void use_camera(struct zr_query *query)
     const struct zr_request *request = query->request;
     const struct zr_json_path *path = ZR_JSON_KEY(ZR_JSON_KEY(NULL, "query"), "camera");
     if (!query->camera) return;
-    if (request->preset || request->azimuth || request->elevation || request->projection || request->padding)
+    if (gives_pose(request) || request->projection || request->padding)
         zr_json_fault(&query->given.json, path,
-                      "cannot be combined with preset, azimuth, elevation, projection or padding");
+                      "cannot be combined with preset, azimuth, elevation, eye, target, projection or padding");
     else
         zr_model_scene_use_camera(&query->given, path, file, query->camera, &up);
 }
@@ -139,9 +144,9 @@ static void add_frames(struct zr_query *query)
 static void check_views(struct zr_query *query)
 {
     const struct zr_request *request = query->request;
-    if (request->views && (request->preset || request->azimuth || request->elevation || request->camera))
+    if (request->views && (gives_pose(request) || request->camera))
         zr_json_fault(&query->given.json, ZR_JSON_KEY(NULL, "views"),
-                      "cannot be combined with preset, azimuth, elevation or camera");
+                      "cannot be combined with preset, azimuth, elevation, eye, target or camera");
 }
 
 static void warn(struct zr_parsed_scene *root, const struct zr_request *request)

@@ -115,6 +115,38 @@ TEST(channels_with_commas_are_outputs)
     }
 }
 
+static void assert_place(zr_vec3 place, float x, float y, float z)
+{
+    if (place.x != x || place.y != y || place.z != z)
+        fail_msg("%.9g %.9g %.9g", (double)place.x, (double)place.y, (double)place.z);
+}
+
+/* The box of the mesh is from (1, 2, 3) to (3, 4, 3). */
+TEST(eye_and_target_are_places_of_the_file)
+{
+    static const char stl[] = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 3 2 3\nvertex 3 4 3\n"
+                              "endloop\nendfacet\nendsolid a\n";
+    static const struct {
+        const char *eye, *target, *up;
+        float places[3][3]; /* of eye, target and up in the world */
+    } cases[] = {{"10,2,4", "1,2,3", NULL, {{10, 4, -2}, {1, 3, -2}, {0, 1, 0}}},
+                 {"10,2,4", NULL, NULL, {{10, 4, -2}, {2, 3, -3}, {0, 1, 0}}},
+                 {"10,2,4", "1,2,3", "y", {{10, 2, 4}, {1, 2, 3}, {0, 1, 0}}},
+                 {"2,3,9", NULL, NULL, {{2, 9, -3}, {2, 3, -3}, {0, 0, -1}}},
+                 {"2,3,-9", NULL, NULL, {{2, -9, -3}, {2, 3, -3}, {0, 0, 1}}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct zr_request request = {
+            .format = ZR_FORMAT_STL, .eye = cases[i].eye, .target = cases[i].target, .up = cases[i].up};
+        struct reading *reading = read_request(request, stl, strlen(stl), zr_limits_default(), 1 << 20);
+        assert_read(reading);
+        const struct zr_view *view = &reading->scene->views[0];
+        const zr_vec3 places[] = {view->eye, view->target, view->up};
+        for (int k = 0; k < 3; k++)
+            assert_place(places[k], cases[i].places[k][0], cases[i].places[k][1], cases[i].places[k][2]);
+        reading_free(reading);
+    }
+}
+
 TEST(keys_of_encodings_belong_to_the_channels_that_have_them)
 {
     const struct zr_request request = {
