@@ -74,7 +74,7 @@ static int save(const struct options *options, const struct pixels *size, const 
     const char *out = options->own[OPTION_OUTPUT];
     struct bytes png = {NULL, 0, 0}, names = {NULL, 0, 0}, faults = {NULL, 0, 0};
     struct target target = output_target(options->files[0], out);
-    int status = output_check(&target, &faults);
+    int status = output_check(&target, false, &faults);
     if (status == 0 && !target.out) target.stem = "difference";
     if (status == 0 && bytes_same_file(options->files[1], out)) {
         bytes_print(&faults, "the output would overwrite its own input; -o names another file");

@@ -9,6 +9,7 @@
 
 #include "files/pixels.h"
 #include "files/sixel.h"
+#include "options/parameters.h"
 
 enum protocol { NONE, KITTY, ITERM, SIXEL };
 enum { ANSWER_MS = 300, CHUNK = 4096 };
@@ -126,7 +127,8 @@ void show_run(const struct engine *engine, struct job *job)
     struct answer answer;
     const bool is_saved = job->options->own[OPTION_OUTPUT] != NULL;
     job->status = check_terminal(&job->faults);
-    if (job->status == STATUS_DONE && is_saved) job->status = output_check(&job->target, &job->faults);
+    if (job->status == STATUS_DONE && is_saved)
+        job->status = output_check(&job->target, job->options->parameters[PARAMETER_encoding], &job->faults);
     if (job->status != STATUS_DONE) return;
     job_draw(engine, job, &answer);
     if (job->status == STATUS_DONE && !show(&answer.file, &job->faults)) job->status = STATUS_USAGE;

@@ -7,6 +7,7 @@
 #include "files/neighbours.h"
 #include "files/say.h"
 #include "interruption.h"
+#include "options/parameters.h"
 
 double job_clock(void)
 {
@@ -71,7 +72,7 @@ void job_save(struct job *job, const struct answer *answer)
 void job_run(const struct engine *engine, struct job *job)
 {
     struct answer answer;
-    job->status = output_check(&job->target, &job->faults);
+    job->status = output_check(&job->target, job->options->parameters[PARAMETER_encoding], &job->faults);
     if (job->status != STATUS_DONE) return;
     job_draw(engine, job, &answer);
     if (job->status == STATUS_DONE) job_save(job, &answer);

@@ -221,12 +221,13 @@ static bool check_folder(const char *path, size_t length, struct bytes *faults)
 }
 
 /* Refuses an ending of no format: a file of another format under that name would be a surprise. */
-static bool check_ending(const char *out, struct bytes *faults)
+static bool check_ending(const char *out, bool has_encoding, struct bytes *faults)
 {
     const char *ending = ending_of(out);
     const int stem = (int)(dot_of(out) - out);
     struct near_word near = {.word = ending};
-    if (!*ending || is_written(ending) || input_has_ending(out)) return true;
+    const bool is_free = has_encoding && !is_foreign(ending); /* a temporary file of a file manager */
+    if (!*ending || is_free || is_written(ending) || input_has_ending(out)) return true;
     for (size_t i = 0; i < FORMAT_COUNT; i++)
         near_offer(&near, FORMATS[i].ending);
     if (is_video(ending))
@@ -242,11 +243,11 @@ static bool check_ending(const char *out, struct bytes *faults)
     return false;
 }
 
-int output_check(const struct target *target, struct bytes *faults)
+int output_check(const struct target *target, bool has_encoding, struct bytes *faults)
 {
     const char *out = target->out ? target->out : target->folder;
     const char *slash = strrchr(out, '/');
-    if (target->out && !check_ending(out, faults)) return STATUS_USAGE;
+    if (target->out && !check_ending(out, has_encoding, faults)) return STATUS_USAGE;
     if (slash && slash > out && !check_folder(out, (size_t)(slash - out), faults))
         return STATUS_USAGE;
     else if (!target->out || !is_input(target, out, faults))

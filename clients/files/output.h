@@ -28,8 +28,8 @@ bool output_is_name(const char *name);
 void output_set_encoding(struct options *options);
 
 /* Checks before drawing: the folder exists (a name with a slash at its end makes it), the input is not overwritten,
- * the ending is that of an output. Returns 0, or an exit status with lines in *faults. */
-int output_check(const struct target *target, struct bytes *faults);
+ * the ending is that of an output, or none of a known format if the options give an encoding. Returns 0, or an exit status with lines in *faults. */
+int output_check(const struct target *target, bool has_encoding, struct bytes *faults);
 
 /* Saves the files of an answer and adds their names to *names, each with a final zero. Returns 0 or an exit
  * status with lines in *faults. */
