@@ -246,7 +246,7 @@ static enum zr_status draw_faces(struct off *off, struct zr_mesh *mesh)
 bool zr_looks_so_OFF(const char *bytes, size_t size)
 {
     struct off off = {.faces = 0};
-    struct zr_points_text text = {bytes, bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX), 0};
+    struct zr_points_text text = {.at = bytes, .end = bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX)};
     struct zr_points_line line;
     return zr_points_next(&text, &line) && read_keyword(&off, &line);
 }
@@ -255,11 +255,11 @@ enum zr_status zr_read_OFF(struct zr_scene_builder *builder, const struct zr_req
                            const struct zr_limits *limits, struct zr_error *error)
 {
     struct off off = {.points = zr_points_open(builder, request->cancel, limits, error, "OFF"),
-                      .text = {request->bytes, request->bytes + request->size, 0}};
+                      .text = {.at = request->bytes, .end = request->bytes + request->size, .cancel = request->cancel}};
     enum zr_status status = read_header(&off);
     if (status == ZR_OK) status = read_vertices(&off);
     if (status == ZR_OK) status = read_faces(&off);
-    if (status != ZR_OK) return error->count > 0 ? error->status : status;
+    if (status != ZR_OK) return zr_points_status(&off.points, status);
     warn(&off, false, off.small_faces, "face has fewer than 3 corners and is left out",
          "faces have fewer than 3 corners and are left out");
     warn(&off, false, off.hole_faces, "face at a vertex that is not finite is left out",

@@ -306,7 +306,7 @@ static enum zr_status read_compressed(struct pcd *pcd)
 bool zr_looks_so_PCD(const char *bytes, size_t size)
 {
     static const char *const keys[] = {"VERSION", "FIELDS", "COLUMNS"};
-    struct zr_points_text text = {bytes, bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX), 0};
+    struct zr_points_text text = {.at = bytes, .end = bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX)};
     struct zr_points_line line;
     if (!zr_points_next(&text, &line)) return false;
     const struct zr_points_line key = zr_points_word(&line);
@@ -332,11 +332,12 @@ enum zr_status zr_read_PCD(struct zr_scene_builder *builder, const struct zr_req
     struct zr_points_line data = {NULL, NULL};
     if (!pcd) return ZR_NO_MEMORY;
     pcd->points = zr_points_open(builder, request->cancel, limits, error, "PCD");
-    pcd->text = (struct zr_points_text){request->bytes, request->bytes + request->size, 0};
+    pcd->text =
+        (struct zr_points_text){.at = request->bytes, .end = request->bytes + request->size, .cancel = request->cancel};
     pcd->height = 1;
     enum zr_status status = read_header(pcd, &data);
     if (status == ZR_OK) status = read_data(pcd, &data);
-    if (status != ZR_OK) return error->count > 0 ? error->status : status;
+    if (status != ZR_OK) return zr_points_status(&pcd->points, status);
     if (pcd->points.colors) scale_colors(pcd);
     return zr_points_draw(&pcd->points, zr_points_make(&pcd->points));
 }

@@ -10,7 +10,7 @@
 #include "input/text/number.h"
 #include "input/text/recenter.h"
 
-enum { POINTS_PER_CANCEL_CHECK = 1 << 14, ROOM_FIRST = 1024 };
+enum { POINTS_PER_CANCEL_CHECK = 1 << 14, LINES_PER_CANCEL_CHECK = 1 << 12 };
 
 /* ---- points ---- */
 
@@ -107,17 +107,18 @@ struct zr_mesh *zr_points_make(struct zr_points *points)
     return mesh;
 }
 
-static enum zr_status failure(const struct zr_points *points)
+enum zr_status zr_points_status(const struct zr_points *points, enum zr_status status)
 {
-    if (points->error->count > 0) return points->error->status;
-    return zr_is_cancelled(points->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
+    if (status == ZR_OK) return status;
+    if (zr_is_cancelled(points->cancel)) return ZR_CANCELLED;
+    return points->error->count > 0 ? points->error->status : status;
 }
 
 enum zr_status zr_points_draw(struct zr_points *points, struct zr_mesh *mesh)
 {
     struct zr_arena *arena = points->builder->arena;
     uint32_t *numbers = mesh ? zr_arena_alloc(arena, points->count, sizeof *numbers) : NULL;
-    if (!numbers) return failure(points);
+    if (!numbers) return zr_points_status(points, ZR_NO_MEMORY);
     for (size_t i = 0; i < points->count; i++)
         if (!isnan(points->positions[i][0])) numbers[mesh->point_count++] = (uint32_t)i;
     mesh->points = numbers;
@@ -155,15 +156,23 @@ static const char *end_of_content(const struct zr_points_line *line)
     return line->end;
 }
 
+/* Takes a line off the text: it ends with \n, \r\n or \r. Each byte is looked at twice at most. */
+static struct zr_points_line take_line(struct zr_points_text *text)
+{
+    const char *const at = text->at;
+    if (!text->newline || text->newline < at) text->newline = memchr(at, '\n', (size_t)(text->end - at));
+    if (!text->newline) text->newline = text->end;
+    const char *carriage = memchr(at, '\r', (size_t)(text->newline - at)), *end = carriage ? carriage : text->newline;
+    text->at = end + (end < text->end) + (carriage && end + 1 < text->end && end[1] == '\n');
+    text->line++;
+    return (struct zr_points_line){at, end};
+}
+
 bool zr_points_next(struct zr_points_text *text, struct zr_points_line *line)
 {
     while (text->at < text->end) {
-        const char *newline = memchr(text->at, '\n', (size_t)(text->end - text->at));
-        const char *old_mac = newline ? NULL : memchr(text->at, '\r', (size_t)(text->end - text->at));
-        const char *end = newline ? newline : old_mac ? old_mac : text->end;
-        *line = (struct zr_points_line){text->at, end};
-        text->at = end < text->end ? end + 1 : end;
-        text->line++;
+        if (text->line % LINES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(text->cancel)) return false;
+        *line = take_line(text);
         while (line->at < line->end && is_blank(*line->at))
             line->at++;
         line->end = end_of_content(line);

@@ -51,7 +51,9 @@ enum zr_status zr_points_draw(struct zr_points *points, struct zr_mesh *mesh);
 
 struct zr_points_text {
     const char *at, *end;
-    size_t line; /* number of the line that was read last, from 1 */
+    size_t line;                    /* number of the line that was read last, from 1 */
+    const struct zr_cancel *cancel; /* or NULL; raised, it ends the text */
+    const char *newline;            /* the next one, if it is at or behind `at`, or the end */
 };
 
 /* A line without the white space around it. */
@@ -71,6 +73,9 @@ struct zr_points_line zr_points_word(struct zr_points_line *line);
 
 /* True if a word is `text`, in any case. */
 bool zr_points_is(const struct zr_points_line *word, const char *text);
+
+/* Returns the status of a reader that ends with `status`: cancellation counts before faults, which it may cause. */
+enum zr_status zr_points_status(const struct zr_points *points, enum zr_status status);
 
 /* Reports a fault of a line. */
 enum zr_status zr_points_fault(struct zr_points *points, size_t line, const char *format, ...)

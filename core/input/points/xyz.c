@@ -213,7 +213,7 @@ static enum zr_status read_points(struct reader *reader)
 
 bool zr_looks_so_XYZ(const char *bytes, size_t size)
 {
-    struct reader reader = {.text = {bytes, bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX), 0}};
+    struct reader reader = {.text = {.at = bytes, .end = bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX)}};
     struct zr_error error = {.count = 0};
     struct zr_points_line line;
     double v[COLUMNS_MAX];
@@ -225,17 +225,18 @@ bool zr_looks_so_XYZ(const char *bytes, size_t size)
 enum zr_status zr_read_XYZ(struct zr_scene_builder *builder, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_error *error)
 {
-    struct reader reader = {.points = zr_points_open(builder, request->cancel, limits, error, "XYZ"),
-                            .text = {request->bytes, request->bytes + request->size, 0}};
+    struct reader reader = {
+        .points = zr_points_open(builder, request->cancel, limits, error, "XYZ"),
+        .text = {.at = request->bytes, .end = request->bytes + request->size, .cancel = request->cancel}};
     struct zr_points *points = &reader.points;
     const bool is_named = read_comment(&reader);
     const struct columns named = reader.columns;
     enum zr_status status = begin(&reader);
-    if (status != ZR_OK) return status;
+    if (status != ZR_OK) return zr_points_status(points, status);
     if (is_named) reader.columns = named;
     points->has_colors = has_all(&reader.columns, RED);
     status = read_points(&reader);
-    if (status != ZR_OK) return status;
+    if (status != ZR_OK) return zr_points_status(points, status);
     if (reader.counts && reader.counted != points->count)
         zr_warning_list_add(builder->arena, &builder->warnings,
                             "XYZ: the first line counts %zu points, but there are %zu", reader.counted, points->count);

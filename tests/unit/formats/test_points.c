@@ -152,6 +152,30 @@ TEST(pcd_compressed_has_field_after_field)
     reading_free(reading);
 }
 
+TEST(lines_end_in_three_ways)
+{
+    struct reading *reading = read_text(ZR_FORMAT_XYZ, "0 0 0\r\n1 0 0\r2 0 0\n\r\n0 bad 0\r\n");
+    assert_complaint(reading, ZR_BAD_SYNTAX, "", "line 5: 'bad' is no number");
+    reading_free(reading);
+}
+
+TEST(empty_lines_look_at_the_cancellation)
+{
+    static const char *const heads[] = {"OFF\n3 1 0\n0 0 0\n", "FIELDS x y z\nPOINTS 2\nDATA ascii\n", "0 0 0\n"};
+    static const enum zr_format formats[] = {ZR_FORMAT_OFF, ZR_FORMAT_PCD, ZR_FORMAT_XYZ};
+    static char text[1 << 20];
+    struct zr_cancel cancel = {.parent = NULL};
+    atomic_store(&cancel.raised, true);
+    for (size_t i = 0; i < 3; i++) {
+        memset(text, '\n', sizeof text);
+        memcpy(text, heads[i], strlen(heads[i]));
+        struct reading *reading = read_request((struct zr_request){.format = formats[i], .cancel = &cancel}, text,
+                                               sizeof text, zr_limits_default(), (size_t)1 << 26);
+        assert_int_equal(reading->status, ZR_CANCELLED);
+        reading_free(reading);
+    }
+}
+
 TEST(lzf_copies_overlap)
 {
     unsigned char out[12];
