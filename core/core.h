@@ -32,11 +32,12 @@ struct zr_limits {
     uint32_t window_side_max;   /* pixels */
     uint64_t window_pixels_max; /* pixels, summed over all outputs */
     uint32_t polygon_vertices_max;
-    uint32_t instances_max;    /* meshes that nodes place */
-    uint64_t image_pixels_max; /* pixels, summed over all images of textures */
-    float coordinate_max;      /* largest magnitude of a coordinate */
-    uint32_t views_max;        /* views of one request */
-    uint64_t view_pixels_max;  /* pixels, summed over all outputs of all views */
+    uint32_t instances_max;      /* meshes that nodes place */
+    uint64_t image_pixels_max;   /* pixels, summed over all images of textures */
+    float coordinate_max;        /* largest magnitude of a coordinate */
+    uint32_t views_max;          /* views of one request */
+    uint64_t view_pixels_max;    /* pixels, summed over all outputs of all views */
+    uint64_t unpacked_bytes_max; /* bytes of the members of an archive that are read, inflated */
 };
 
 struct zr_limits zr_limits_default(void);

@@ -218,14 +218,14 @@ static enum zr_status read_scene(const struct zr_run *run, const struct zr_reque
 }
 
 /* Finds the format, and the model in a ZIP archive. */
-static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body, const char **model,
-                                struct zr_error *error)
+static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body, const struct zr_limits *limits,
+                                const char **model, struct zr_error *error)
 {
     if (body->size == 0) body->bytes = ""; /* no arithmetic on a null pointer */
     enum zr_status status = find_format(body, error);
     if (status == ZR_OK) status = refuse_utf16(body, error);
     if (status != ZR_OK) return status;
-    status = zr_zip_body_open(arena, body, model, error);
+    status = zr_zip_body_open(arena, body, limits, model, error);
     if (status != ZR_OK && body->format == ZR_FORMAT_ZIP) status = name_bytes(body, status, error);
     if (status == ZR_OK && *model) status = refuse_utf16(body, error);
     return status;
@@ -255,7 +255,7 @@ static enum zr_status read_request(const struct zr_run *run, const struct zr_req
     struct zr_request body = *request;
     const char *model = NULL;
     run->arena->cancel = request->cancel;
-    enum zr_status status = made ? open_body(run->arena, &body, &model, run->error) : ZR_NO_MEMORY;
+    enum zr_status status = made ? open_body(run->arena, &body, limits, &model, run->error) : ZR_NO_MEMORY;
     if (status == ZR_OK) {
         const size_t mark = skip_byte_order_mark(&body);
         status = read_scene(run, &body, limits, keeping, made);

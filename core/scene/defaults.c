@@ -53,5 +53,6 @@ struct zr_limits zr_limits_default(void)
         .coordinate_max = 1e6f,
         .views_max = 4096,
         .view_pixels_max = (uint64_t)512 * 1024 * 1024,
+        .unpacked_bytes_max = (uint64_t)8 * 1024 * 1024 * 1024,
     };
 }

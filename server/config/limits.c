@@ -17,6 +17,7 @@ struct zr_limits config_limits(const struct config *config)
     limits.instances_max = (uint32_t)config->instances_max;
     limits.image_pixels_max = config->image_pixels_max;
     limits.coordinate_max = (float)config->coordinate_max;
+    limits.unpacked_bytes_max = config->body_max_bytes;
     return limits;
 }
 

@@ -127,6 +127,10 @@ bool zr_obj_has_comment(const char *at, const char *line_end);
 ZR_INLINED bool zr_obj_next(struct zr_obj_text *text, struct zr_obj_statement *statement)
 {
     if (text->at == text->end) return false;
+    while (*text->at == '\n' && text->at + 1 < text->end) { /* empty lines */
+        text->at++;
+        text->line++;
+    }
     *statement = (struct zr_obj_statement){text->at, text->end, text->line};
     const char *at, *line_end;
     do {

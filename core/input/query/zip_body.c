@@ -18,7 +18,6 @@ struct archive {
     struct zr_zip zip;
     const struct zr_zip_member *model;
     enum zr_format format; /* format of the model */
-    struct zr_unpacked *unpacked;
 };
 
 /* ---- names ---- */
@@ -177,7 +176,7 @@ static enum zr_status count_scenes(struct archive *archive, struct zr_arena *are
         const char *bytes;
         if (!is_model(member)) continue;
         if (format_of(member) == ZR_FORMAT_JSON) {
-            const enum zr_status status = zr_unpack(archive->unpacked, member, arena, &bytes, reason);
+            const enum zr_status status = zr_zip_read(member, arena, &bytes, reason);
             if (status != ZR_OK) return status;
             if (!zr_has_geometry_key(bytes, (size_t)member->size)) continue;
         }
@@ -244,7 +243,7 @@ static bool add_asset(struct zr_arena *arena, const struct archive *archive, con
                       struct zr_packed *packed, struct zr_asset *asset)
 {
     const char *path = write_path(arena, member), *name = path ? relative(arena, archive->model, path) : NULL;
-    *packed = (struct zr_packed){.unpacked = archive->unpacked, .member = member, .path = path};
+    *packed = (struct zr_packed){.member = member, .path = path};
     *asset = (struct zr_asset){.name = name, .size = (size_t)member->size, .packed = packed};
     packed->asset = (struct zr_asset){.name = name, .size = (size_t)member->size};
     return name != NULL;
@@ -272,22 +271,25 @@ static bool add_assets(struct zr_arena *arena, const struct archive *archive, st
 
 /* ---- interface ---- */
 
-static enum zr_status open_archive(struct zr_arena *arena, struct zr_request *request, const char **model,
-                                   struct zr_error *error)
+static enum zr_status refuse_reading(enum zr_status status, const char *reason, struct zr_error *error)
 {
-    struct archive archive = {.unpacked = zr_arena_zero(arena, 1, sizeof *archive.unpacked)};
+    return zr_error_add(error, status, NULL, "%s ZIP archive: %s", status == ZR_BAD_SYNTAX ? "a broken" : "a", reason);
+}
+
+static enum zr_status open_archive(struct zr_arena *arena, struct zr_request *request, const struct zr_limits *limits,
+                                   const char **model, struct zr_error *error)
+{
+    struct archive archive = {.model = NULL};
     struct zr_reason reason = {""};
     const char *bytes;
-    if (!archive.unpacked) return ZR_NO_MEMORY;
-    archive.unpacked->quick = request->quick;
     enum zr_status status = zr_zip_open(arena, request->bytes, request->size, &archive.zip, &reason);
     if (status == ZR_OK) {
+        *archive.zip.unpacked = (struct zr_unpacked){.quick = request->quick, .bytes_max = limits->unpacked_bytes_max};
         status = choose(&archive, arena, request->member, &reason, error);
         if (status != ZR_OK && error->count > 0) return status;
-        if (status == ZR_OK) status = zr_unpack(archive.unpacked, archive.model, arena, &bytes, &reason);
+        if (status == ZR_OK) status = zr_zip_read(archive.model, arena, &bytes, &reason);
     }
-    if (status == ZR_BAD_SYNTAX) return zr_error_add(error, status, NULL, "a broken ZIP archive: %s", reason.text);
-    if (status != ZR_OK) return status;
+    if (status != ZR_OK) return *reason.text ? refuse_reading(status, reason.text, error) : status;
     *model = write_path(arena, archive.model);
     if (!*model || !add_assets(arena, &archive, request))
         return zr_is_cancelled(arena->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
@@ -303,13 +305,13 @@ static enum zr_status open_archive(struct zr_arena *arena, struct zr_request *re
     return ZR_OK;
 }
 
-enum zr_status zr_zip_body_open(struct zr_arena *arena, struct zr_request *request, const char **model,
-                                struct zr_error *error)
+enum zr_status zr_zip_body_open(struct zr_arena *arena, struct zr_request *request, const struct zr_limits *limits,
+                                const char **model, struct zr_error *error)
 {
     *model = NULL;
     if (request->format == ZR_FORMAT_ZIP && zr_looks_so_3MF(request->bytes, request->size))
         request->format = ZR_FORMAT_3MF;
-    if (request->format == ZR_FORMAT_ZIP) return open_archive(arena, request, model, error);
+    if (request->format == ZR_FORMAT_ZIP) return open_archive(arena, request, limits, model, error);
     if (!request->member) return ZR_OK;
     return zr_error_add(error, ZR_BAD_REQUEST, NULL, "parameter member belongs to bodies that are a ZIP archive");
 }
@@ -350,8 +352,7 @@ enum zr_status zr_zip_body_check(const struct zr_request *request, const char *m
     const struct zr_error all = *error;
     if (broken) {
         *error = (struct zr_error){0};
-        if (broken->status != ZR_BAD_SYNTAX || !broken->reason) return broken->status;
-        return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "a broken ZIP archive: %s", broken->reason);
+        return broken->reason ? refuse_reading(broken->status, broken->reason, error) : broken->status;
     }
     if (!model || (status != ZR_BAD_SYNTAX && status != ZR_BAD_SCENE)) return status;
     *error = (struct zr_error){0};

@@ -4,7 +4,7 @@
  *         Dot files and the folder __MACOSX are ignored.
  * Assets: all other members. An asset has the member's path relative to the model's folder as its name, and is also
  *         found by its path in the archive. A member is unpacked when it is first found.
- * Safe:   zip_read.h checks the archive; the arena's ceiling limits the unpacked bytes.
+ * Safe:   zip_read.h checks the archive; the arena's ceiling and limits.unpacked_bytes_max limit the unpacked bytes.
  */
 #ifndef ZR_ZIP_BODY_H
 #define ZR_ZIP_BODY_H
@@ -16,8 +16,8 @@
 /* Replaces the format, the bytes and the assets of a ZR_FORMAT_ZIP request by those of the model in the archive. Leaves
  * other requests unchanged, but refuses their parameter `member`. Sets *model to the path of the model, else to NULL.
  * Fails with ZR_BAD_SYNTAX, ZR_BAD_REQUEST, ZR_BAD_SCENE, ZR_NO_MEMORY or ZR_CANCELLED (arena->cancel). */
-enum zr_status zr_zip_body_open(struct zr_arena *arena, struct zr_request *request, const char **model,
-                                struct zr_error *error);
+enum zr_status zr_zip_body_open(struct zr_arena *arena, struct zr_request *request, const struct zr_limits *limits,
+                                const char **model, struct zr_error *error);
 
 /* Warns of unused members that a model could use: images, materials and buffers. */
 void zr_zip_body_warn(struct zr_scene_builder *builder, const struct zr_request *request);

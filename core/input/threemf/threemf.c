@@ -60,6 +60,13 @@ static const struct zr_zip_member *root_of(const struct zr_threemf *file)
     return zr_threemf_parts(file)[0].member;
 }
 
+/* True beyond a limit of struct zr_quick. */
+static bool is_slow(const struct zr_threemf *file)
+{
+    const struct zr_quick *quick = file->zip.unpacked->quick;
+    return quick && quick->is_exceeded;
+}
+
 static enum zr_status read_parts(struct zr_threemf *file)
 {
     if (zr_threemf_find_root(file)) {
@@ -71,7 +78,7 @@ static enum zr_status read_parts(struct zr_threemf *file)
         for (uint32_t i = 0; i < file->parts.count && !zr_threemf_stops(file); i++)
             zr_threemf_read_part(file, i);
     }
-    if (zr_is_cancelled(file->cancel)) return ZR_CANCELLED;
+    if (zr_is_cancelled(file->cancel) || is_slow(file)) return ZR_CANCELLED;
     if (!zr_arena_ok(file->arena)) return ZR_NO_MEMORY;
     return file->error->count > 0 ? file->error->status : ZR_OK;
 }
@@ -89,8 +96,12 @@ enum zr_status zr_read_3MF(struct zr_scene_builder *builder, const struct zr_req
     file->error = error;
     enum zr_status status = zr_zip_open(arena, request->bytes, request->size, &file->zip, &reason);
     if (status == ZR_BAD_SYNTAX) return zr_error_add(error, status, NULL, "a broken ZIP archive: %s", reason.text);
-    if (status == ZR_OK) status = read_parts(file);
+    if (status == ZR_OK) {
+        *file->zip.unpacked = (struct zr_unpacked){.quick = request->quick, .bytes_max = limits->unpacked_bytes_max};
+        status = read_parts(file);
+    }
     if (status == ZR_OK) status = zr_threemf_place(file, builder, request);
+    if (status == ZR_OK && is_slow(file)) status = ZR_CANCELLED;
     if (status != ZR_OK) return status;
     warn(file, builder);
     if (file->is_unnamed)

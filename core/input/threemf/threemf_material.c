@@ -35,7 +35,7 @@ static bool read_image(struct making *making, struct zr_threemf_resource *textur
         return false;
     }
     const enum zr_status status = unpack(making, texture, &reason);
-    if (status == ZR_BAD_SYNTAX) zr_error_add(file->error, status, NULL, "%s", reason.text);
+    if (*reason.text) zr_error_add(file->error, status, NULL, "%s", reason.text);
     if (status != ZR_OK) return false;
     const struct zr_parsed_bytes bytes = bytes_of(texture);
     if (zr_is_cancelled(file->cancel) || !zr_arena_ok(file->arena)) return false;

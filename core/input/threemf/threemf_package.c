@@ -94,7 +94,7 @@ static struct zr_xml_text read_target(struct zr_threemf *file, const struct zr_z
     struct zr_reason reason = {""};
     const char *bytes;
     const enum zr_status status = zr_zip_read(relationships, file->arena, &bytes, &reason);
-    if (status == ZR_BAD_SYNTAX) refuse(file, status, reason.text);
+    if (*reason.text) refuse(file, status, reason.text);
     if (status != ZR_OK) return none;
     zr_xml_open(&file->xml, bytes, (size_t)relationships->size, NULL, 0, file->cancel);
     const struct zr_xml_text target = find_target(&file->xml, &file->tag);

@@ -270,7 +270,7 @@ void zr_threemf_read_part(struct zr_threemf *file, uint32_t number)
     const enum zr_status status = zr_zip_read(part->member, file->arena, &bytes, &reason);
     file->part = number;
     if (status != ZR_OK) {
-        if (status == ZR_BAD_SYNTAX) zr_error_add(file->error, status, NULL, "%s", reason.text);
+        if (*reason.text) zr_error_add(file->error, status, NULL, "%s", reason.text);
         file->is_stopped = true;
         return;
     }

@@ -12,9 +12,11 @@ enum { SETTINGS_MAX = 1 << 16 };
 static const char *find_member(struct zr_threemf *file, const char *name, size_t *size)
 {
     const struct zr_zip_member *member = zr_zip_find(&file->zip, name, strlen(name));
-    struct zr_reason reason;
+    struct zr_reason reason = {""};
     const char *bytes;
-    if (!member || zr_zip_read(member, file->arena, &bytes, &reason) != ZR_OK) return NULL;
+    const enum zr_status status = member ? zr_zip_read(member, file->arena, &bytes, &reason) : ZR_BAD_SYNTAX;
+    if (status == ZR_BAD_SCENE) zr_error_add(file->error, status, NULL, "%s", reason.text);
+    if (status != ZR_OK) return NULL;
     *size = (size_t)member->size;
     return bytes;
 }

@@ -67,10 +67,28 @@ static enum zr_status inflate_all(const struct zr_zip_member *member, struct inf
     return unused(state, packed_left) == 0 ? ZR_OK : fault(member, reason, "bytes follow its deflated data");
 }
 
+/* Counts the bytes of a member. */
+static enum zr_status count_bytes(const struct zr_zip_member *member, struct zr_reason *reason)
+{
+    struct zr_unpacked *unpacked = member->unpacked;
+    struct zr_quick *quick = unpacked->quick;
+    if (member->size > unpacked->bytes_max - unpacked->bytes) {
+        zr_reason_give(reason, "with member %s, those that are read inflate to more than %llu bytes, the most allowed",
+                       zr_quote(member->name, member->name_length).text, (unsigned long long)unpacked->bytes_max);
+        return ZR_BAD_SCENE;
+    }
+    unpacked->bytes += member->size;
+    if (!quick || unpacked->bytes <= quick->array_bytes_max) return ZR_OK;
+    quick->is_exceeded = true;
+    return ZR_CANCELLED;
+}
+
 enum zr_status zr_zip_read(const struct zr_zip_member *member, struct zr_arena *arena, const char **bytes,
                            struct zr_reason *reason)
 {
     const struct zr_cancel *cancel = arena->cancel;
+    const enum zr_status counted = count_bytes(member, reason);
+    if (counted != ZR_OK) return counted;
     if (member->method != STORED && member->method != DEFLATED) {
         zr_reason_give(reason, "member %s: it is packed by method %u; stored and deflated members are read",
                        zr_quote(member->name, member->name_length).text, member->method);
@@ -91,24 +109,14 @@ enum zr_status zr_zip_read(const struct zr_zip_member *member, struct zr_arena *
 
 /* ---- members of a ZIP body ---- */
 
-enum zr_status zr_unpack(struct zr_unpacked *unpacked, const struct zr_zip_member *member, struct zr_arena *arena,
-                         const char **bytes, struct zr_reason *reason)
-{
-    struct zr_quick *quick = unpacked->quick;
-    unpacked->bytes += member->size;
-    if (!quick || unpacked->bytes <= quick->array_bytes_max) return zr_zip_read(member, arena, bytes, reason);
-    quick->is_exceeded = true;
-    return ZR_CANCELLED;
-}
-
 const struct zr_asset *zr_packed_open(struct zr_packed *packed, struct zr_arena *arena)
 {
     struct zr_reason reason = {""};
     const char *bytes;
     if (packed->asset.bytes) return &packed->asset;
     if (packed->is_closed || packed->status != ZR_OK) return NULL;
-    packed->status = zr_unpack(packed->unpacked, packed->member, arena, &bytes, &reason);
-    if (packed->status == ZR_BAD_SYNTAX) packed->reason = zr_arena_copy(arena, reason.text, sizeof reason.text);
+    packed->status = zr_zip_read(packed->member, arena, &bytes, &reason);
+    if (*reason.text) packed->reason = zr_arena_copy(arena, reason.text, sizeof reason.text);
     if (packed->status != ZR_OK) return NULL;
     packed->asset.bytes = bytes;
     return &packed->asset;

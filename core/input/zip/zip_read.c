@@ -261,13 +261,16 @@ enum zr_status zr_zip_open(struct zr_arena *arena, const char *bytes, size_t siz
         zr_reason_give(reason, "%zu members; %d are allowed", archive.entries, ZR_ZIP_MEMBERS_MAX);
         return ZR_BAD_SYNTAX;
     }
-    *zip = (struct zr_zip){.members = zr_arena_alloc(arena, archive.entries, sizeof *zip->members)};
-    if (!zip->members) return ZR_NO_MEMORY;
+    *zip = (struct zr_zip){.members = zr_arena_alloc(arena, archive.entries, sizeof *zip->members),
+                           .unpacked = zr_arena_zero(arena, 1, sizeof *zip->unpacked)};
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    zip->unpacked->bytes_max = UINT64_MAX;
     size_t at = archive.directory;
     for (size_t i = 0; i < archive.entries; i++) {
         struct zr_zip_member *member = &zip->members[zip->count];
         if (i % CHECKED_AT_ONCE == 0 && zr_is_cancelled(arena->cancel)) return ZR_CANCELLED;
         if (!read_entry(&archive, &at, member)) return zr_arena_ok(arena) ? ZR_BAD_SYNTAX : ZR_NO_MEMORY;
+        member->unpacked = zip->unpacked;
         if (member->name[member->name_length - 1] != '/') zip->count++;
     }
     if (at != archive.directory_end) return fault(&archive, "bytes follow its directory"), ZR_BAD_SYNTAX;

@@ -25,12 +25,20 @@ struct zr_zip_member {
     const char *packed; /* in the archive */
     uint64_t packed_size, size;
     uint32_t crc, method;
-    size_t offset; /* of its local header */
+    size_t offset;                /* of its local header */
+    struct zr_unpacked *unpacked; /* of the archive */
+};
+
+/* Bytes read from one archive, and their limits. */
+struct zr_unpacked {
+    struct zr_quick *quick; /* limits of the request; may be NULL */
+    uint64_t bytes, bytes_max;
 };
 
 struct zr_zip {
     size_t count;                  /* without folders */
     struct zr_zip_member *members; /* sorted by name: ASCII case is ignored first, then decides */
+    struct zr_unpacked *unpacked;  /* in the arena; without limits until the caller sets them */
 };
 
 /* True if the bytes begin with a local header, as an archive with members does. */
@@ -45,32 +53,22 @@ enum zr_status zr_zip_open(struct zr_arena *arena, const char *bytes, size_t siz
 const struct zr_zip_member *zr_zip_find(const struct zr_zip *zip, const char *name, size_t length);
 
 /* Sets *bytes to the member's member->size bytes: in the archive if they are stored, else inflated in the arena.
- * Fails as zr_zip_open does. */
+ * Fails as zr_zip_open does, with ZR_BAD_SCENE and a reason beyond unpacked->bytes_max, and with ZR_CANCELLED beyond the
+ * limit of struct zr_quick. */
 enum zr_status zr_zip_read(const struct zr_zip_member *member, struct zr_arena *arena, const char **bytes,
                            struct zr_reason *reason);
 
 /* ---- members of a ZIP body, unpacked when they are used ---- */
 
-/* Bytes unpacked from one archive, and their limit. */
-struct zr_unpacked {
-    struct zr_quick *quick; /* limits of the request; may be NULL */
-    uint64_t bytes;
-};
-
 /* A member that may be unpacked. */
 struct zr_packed {
-    struct zr_unpacked *unpacked; /* shared by all members */
     const struct zr_zip_member *member;
     const char *path;      /* path in the archive */
     bool is_closed;        /* the scene is kept: unused members cannot be unpacked any more */
-    enum zr_status status; /* result of unpacking; ZR_CANCELLED also beyond the limit of struct zr_quick */
-    const char *reason;    /* reason of ZR_BAD_SYNTAX */
+    enum zr_status status; /* result of zr_zip_read */
+    const char *reason;    /* reason of ZR_BAD_SYNTAX and ZR_BAD_SCENE */
     struct zr_asset asset; /* the unpacked file; bytes NULL before */
 };
-
-/* Unpacks a member as zr_zip_read does. Returns ZR_CANCELLED beyond the limit of struct zr_quick. */
-enum zr_status zr_unpack(struct zr_unpacked *unpacked, const struct zr_zip_member *member, struct zr_arena *arena,
-                         const char **bytes, struct zr_reason *reason);
 
 /* Returns the unpacked member. NULL after a fault, which zr_zip_body_check reports. */
 const struct zr_asset *zr_packed_open(struct zr_packed *packed, struct zr_arena *arena);

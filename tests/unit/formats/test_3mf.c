@@ -60,6 +60,33 @@ TEST(a_model_is_read)
     reading_free(reading);
 }
 
+TEST(members_of_3mf_inflate_to_the_limit_and_no_further)
+{
+    static const char model[] = "<model " CORE "><resources><object id=\"1\">" MESH
+                                "</object></resources><build><item objectid=\"1\"/></build></model>";
+    static const struct zip_entry parts[] = {{"Metadata/model_settings.config", "<config/>", 9, true},
+                                             {"3D/3dmodel.model", model, sizeof model - 1, true}};
+    const size_t all = sizeof model - 1 + parts[0].size;
+    size_t size, directory;
+    unsigned char *file = zip_file(parts, 2, &size, &directory);
+    for (size_t less = 0; less < 2; less++) {
+        struct zr_quick quick = {.image_pixels_max = 1, .node_visits_max = 10, .array_bytes_max = all - less};
+        struct zr_limits limits = zr_limits_default();
+        limits.unpacked_bytes_max = all - less;
+        struct reading *reading =
+            read_request((struct zr_request){.format = ZR_FORMAT_3MF}, file, size, limits, (size_t)1 << 26);
+        if (less) assert_complaint(reading, ZR_BAD_SCENE, "", "inflate to more than");
+        assert_int_equal(reading->status, less ? ZR_BAD_SCENE : ZR_OK);
+        reading_free(reading);
+        reading = read_request((struct zr_request){.format = ZR_FORMAT_3MF, .quick = &quick}, file, size,
+                               zr_limits_default(), (size_t)1 << 26);
+        assert_int_equal(reading->status, less ? ZR_CANCELLED : ZR_OK);
+        assert_int_equal(quick.is_exceeded, less);
+        reading_free(reading);
+    }
+    free(file);
+}
+
 TEST(the_only_model_is_read_without_relationships)
 {
     static const char model[] = "<model " CORE "><resources><object id=\"1\">" MESH

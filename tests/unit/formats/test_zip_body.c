@@ -175,6 +175,30 @@ TEST(the_parameter_member_needs_an_archive)
     reading_free(reading);
 }
 
+TEST(members_inflate_to_the_limit_and_no_further)
+{
+    static const size_t model = sizeof GLTF_OF("b.bin") - 1, all = model + sizeof corners;
+    size_t size, directory;
+    unsigned char *file = zip_file(bodies[1].entries, 2, &size, &directory);
+    const struct {
+        size_t most;
+        const char *member;
+    } cases[] = {{all, NULL}, {all - 1, "'a/b.bin'"}, {model, "'a/b.bin'"}, {model - 1, "'a/b.GLTF'"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct zr_limits limits = zr_limits_default();
+        char says[200];
+        limits.unpacked_bytes_max = cases[i].most;
+        snprintf(says, sizeof says, "a ZIP archive: with member %s, those that are read inflate to more than %zu bytes",
+                 cases[i].member ? cases[i].member : "", cases[i].most);
+        struct reading *reading =
+            read_request((struct zr_request){.format = ZR_FORMAT_ZIP}, file, size, limits, (size_t)1 << 28);
+        assert_int_equal(reading->status, cases[i].member ? ZR_BAD_SCENE : ZR_OK);
+        if (cases[i].member) assert_complaint(reading, ZR_BAD_SCENE, "", says);
+        reading_free(reading);
+    }
+    free(file);
+}
+
 TEST(a_quick_reading_unpacks_little)
 {
     static const size_t most[] = {1, sizeof GLTF_OF("b.bin"), 1000};
