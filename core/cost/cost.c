@@ -9,6 +9,7 @@
 #include "effects/ground.h"
 #include "effects/shadow_maps.h"
 #include "output/images/lossy.h"
+#include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
 #include "raster/tile.h"
 #include "render/frame_parts.h"
@@ -258,6 +259,11 @@ static double layer_walks(const struct zr_view *view)
            (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0) + (zr_view_has_masks(view) ? 1.0 : 0.0);
 }
 
+static double square(double value)
+{
+    return value * value;
+}
+
 /* Returns the number of pairs of faces whose boxes meet. The sample has a face. */
 static double meeting_pairs(const struct zr_cost_sample *sample)
 {
@@ -265,6 +271,23 @@ static double meeting_pairs(const struct zr_cost_sample *sample)
                  meets_x = fmin(2.0 * sample->boxes_width / sample->faces / sample->width, 1.0),
                  meets_y = fmin(2.0 * sample->boxes_height / sample->faces / sample->height, 1.0);
     return 0.5 * faces * faces * meets_x * meets_y;
+}
+
+/* Returns the number of pairs of faces that cut one another. */
+static double crossing_pairs(const struct zr_cost_sample *sample)
+{
+    return 0.5 * sample->crossing * square(sample->faces * sample->scale);
+}
+
+/* Counts the pixels that the painter compares: those of faces that meet, and those of the pieces of faces that it cuts,
+ * each with the faces near it. It ends at ZR_PAINTER_WORK_MAX. */
+static void count_painter(const struct zr_cost_sample *sample, double drawn, double *counts)
+{
+    if (sample->faces <= 0.0) return;
+    const double pixels = sample->fragments / sample->faces, faces = sample->faces * sample->scale;
+    const double cuts = crossing_pairs(sample) * faces * sqrt(pixels) * (1.0 + 0.1 * sample->crossing * faces);
+    counts[ZR_COST_COMPARISON] = meeting_pairs(sample) * (1.0 + 0.25 * pixels) * drawn;
+    counts[ZR_COST_CUT_PIXEL] = fmin(cuts, (double)ZR_PAINTER_WORK_MAX) * drawn;
 }
 
 /* Beyond its bounds, a trace ends. Algorithms without a z-buffer do not list the depths of pixels. */
@@ -309,9 +332,14 @@ static void count_trace(const struct zr_cost_sample *sample, double *counts)
             pixels * fmin(meeting_pairs(sample) * fmax(faces / 6.0, 1.0), ZR_TRACE_STEPS_MAX);
 }
 
-static double square(double value)
+/* Counts pairs of triangles in cells: all of them, and those that cut one another, which share most of their cells. */
+static void count_line_pairs(const struct zr_cost_sample *sample, double times, double *counts)
 {
-    return value * value;
+    const double faces = sample->faces * sample->scale, window = sample->width * sample->height;
+    const double cells = fmin(0.5 * sample->scale * sample->fragments, window) / CELL_PIXELS + 1.0;
+    const double pixels = sample->fragments / fmax(sample->faces, 1.0);
+    counts[ZR_COST_DRAWN_PAIR] = times * square(faces) / cells;
+    counts[ZR_COST_DRAWN_CROSSING] = times * crossing_pairs(sample) * square(1.0 + sqrt(pixels / CELL_PIXELS));
 }
 
 static void count_fragments(const struct zr_cost_sample *sample, const struct passes *passes, double *counts)
@@ -339,11 +367,9 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
     counts[ZR_COST_MAP_FRAGMENT] = passes->map_texels * scale * sample->fragments / pixels;
-    if (scene->algorithm == ZR_ALGORITHM_PAINTER && sample->faces > 0.0)
-        counts[ZR_COST_COMPARISON] = meeting_pairs(sample) * (1.0 + 0.25 * sample->fragments / sample->faces) * drawn;
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER) count_painter(sample, drawn, counts);
     counts[ZR_COST_DRAWN_PIXEL] = line_times(scene, passes) * scale * sample->fragments;
-    const double cells = fmin(0.5 * scale * sample->fragments, pixels) / CELL_PIXELS + 1.0;
-    counts[ZR_COST_DRAWN_PAIR] = line_times(scene, passes) * square(scale * sample->faces) / cells;
+    count_line_pairs(sample, line_times(scene, passes), counts);
     if (!zr_view_has_pixels(&scene->views[0], ZR_CHANNEL_COLOR)) return;
     /* Shading runs once per covered sample, and once per translucent fragment. */
     const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;

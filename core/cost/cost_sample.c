@@ -6,8 +6,14 @@
 #include "scene/picture.h"
 #include "sections/section_planes.h"
 
-/* SAMPLES: most faces, lines and points in the sample. SAMPLED_CORNERS: approximate limit of their corners. */
-enum { SAMPLES = 1024, SAMPLED_CORNERS = 1 << 16 };
+/* SAMPLES: most faces, lines and points in the sample. SAMPLED_CORNERS: approximate limit of their corners. PLATES: most
+ * faces that are compared two by two. */
+enum { SAMPLES = 1024, SAMPLED_CORNERS = 1 << 16, PLATES = 64 };
+
+/* Three corners of a face in window space, and its box. */
+struct plate {
+    double at[3][3], low[2], high[2];
+};
 
 struct tally {
     struct zr_cost_sample sums;
@@ -17,6 +23,9 @@ struct tally {
     bool is_mirrored;
     struct zr_section_planes planes; /* none if they are refused */
     const zr_mat4 *object_to_world;
+    bool takes_plate; /* the face is one of those compared two by two */
+    uint32_t plate_count;
+    struct plate plates[PLATES];
 };
 
 /* Projection of a face, line or point to the window. */
@@ -161,6 +170,100 @@ static void add_crossings(struct tally *tally, const struct zr_mesh *mesh, uint3
     }
 }
 
+/* Takes a face before the eye. */
+static void add_plate(struct tally *tally, const struct zr_mesh *mesh, struct zr_rings rings,
+                      const struct footprint *print)
+{
+    const uint32_t begin = rings.offsets[0], corners = rings.offsets[1] - begin;
+    if (!tally->takes_plate || tally->plate_count == PLATES || print->behind > 0 || corners < 3) return;
+    struct plate *plate = &tally->plates[tally->plate_count++];
+    for (uint32_t i = 0; i < 3; i++) {
+        const zr_vec4 position = mesh->positions[mesh->indices[begin + i * corners / 3]];
+        const zr_vec4 clip = zr_mat4_apply(&tally->object_to_clip, position);
+        plate->at[i][0] = (0.5 + 0.5 * (double)clip.x / (double)clip.w) * tally->sums.width;
+        plate->at[i][1] = (0.5 + 0.5 * (double)clip.y / (double)clip.w) * tally->sums.height;
+        plate->at[i][2] = (double)clip.z / (double)clip.w;
+    }
+    for (int k = 0; k < 2; k++) {
+        plate->low[k] = print->low[k];
+        plate->high[k] = print->high[k];
+    }
+}
+
+static void subtract(const double a[3], const double b[3], double out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = a[k] - b[k];
+}
+
+static void cross(const double u[3], const double v[3], double out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+}
+
+static double dot(const double u[3], const double v[3])
+{
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+static bool is_inside(const struct plate *plate, const double normal[3], const double at[3])
+{
+    int positive = 0, negative = 0;
+    for (int i = 0; i < 3; i++) {
+        double edge[3], to[3], side[3];
+        subtract(plate->at[(i + 1) % 3], plate->at[i], edge);
+        subtract(at, plate->at[i], to);
+        cross(edge, to, side);
+        positive += dot(side, normal) > 0.0;
+        negative += dot(side, normal) < 0.0;
+    }
+    return positive == 3 || negative == 3;
+}
+
+/* Returns true if an edge of `b` goes through `a`. Corners that are nearly in the plane of `a` count as in it: faces
+ * that share corners do not cross. */
+static bool is_pierced(const struct plate *a, const struct plate *b)
+{
+    double u[3], v[3], normal[3], to[3], side[3];
+    subtract(a->at[1], a->at[0], u);
+    subtract(a->at[2], a->at[0], v);
+    cross(u, v, normal);
+    for (int i = 0; i < 3; i++) {
+        subtract(b->at[i], a->at[0], to);
+        side[i] = dot(to, normal);
+    }
+    const double least = 1e-3 * fmax(fmax(fabs(side[0]), fabs(side[1])), fabs(side[2]));
+    for (int i = 0; i < 3; i++) {
+        const double p = side[i], q = side[(i + 1) % 3];
+        if (fmin(p, q) > -least || fmax(p, q) < least) continue;
+        for (int k = 0; k < 3; k++)
+            to[k] = b->at[i][k] + p / (p - q) * (b->at[(i + 1) % 3][k] - b->at[i][k]);
+        if (is_inside(a, normal, to)) return true;
+    }
+    return false;
+}
+
+static bool plates_meet(const struct plate *a, const struct plate *b)
+{
+    return a->low[0] < b->high[0] && b->low[0] < a->high[0] && a->low[1] < b->high[1] && b->low[1] < a->high[1];
+}
+
+/* Returns a lower bound of the share of pairs that cut one another: two standard deviations below that of the sample,
+ * since many faces have very many pairs. */
+static double find_crossing(const struct tally *tally)
+{
+    const uint32_t count = tally->plate_count;
+    double crossings = 0.0;
+    for (uint32_t i = 0; i < count; i++)
+        for (uint32_t k = 0; k < i; k++) {
+            const struct plate *a = &tally->plates[i], *b = &tally->plates[k];
+            crossings += plates_meet(a, b) && (is_pierced(a, b) || is_pierced(b, a));
+        }
+    if (count < 2) return 0.0;
+    return fmax(crossings - 2.0 * sqrt(crossings), 0.0) / (0.5 * (double)count * (double)(count - 1));
+}
+
 static void add_face(struct tally *tally, const struct zr_mesh *mesh, uint32_t face)
 {
     const struct zr_material *material = zr_material_of_face(tally->sums.scene, mesh, face);
@@ -189,6 +292,7 @@ static void add_face(struct tally *tally, const struct zr_mesh *mesh, uint32_t f
     const bool is_whole = print.behind == 0 && print.low[0] >= 0.0 && print.low[1] >= 0.0 &&
                           print.high[0] <= tally->sums.width && print.high[1] <= tally->sums.height && corners == 3.0;
     add_layers(tally, material, pixels, is_whole ? fmax(pixels - 0.5 * print.perimeter, 0.0) : 0.0);
+    add_plate(tally, mesh, rings, &print);
     tally->sums.faces += 1.0;
     tally->sums.fragments += pixels;
     tally->sums.boxes_width += fmin(print.high[0] - print.low[0], tally->sums.width);
@@ -266,6 +370,7 @@ static void walk(struct tally *tally, uint64_t primitives, uint64_t samples)
             tally->object_to_clip = zr_mat4_mul(&tally->world_to_clip, &instance->object_to_world);
             tally->is_mirrored = zr_camera_reverses_windings(tally->camera, &instance->object_to_world);
         }
+        tally->takes_plate = k % ((samples + PLATES - 1) / PLATES) == 0;
         add_primitive(tally, mesh, (uint32_t)(primitive - first));
     }
 }
@@ -299,6 +404,7 @@ struct zr_cost_sample zr_cost_sample_of(const struct zr_scene *scene, const stru
     const double scale = samples > 0 ? (double)primitives / (double)samples : 0.0;
     walk(&tally, primitives, samples);
     tally.sums.scale = scale;
+    tally.sums.crossing = find_crossing(&tally);
     tally.sums.kept = kept_at_least(&tally, (double)samples, scale);
     return tally.sums;
 }

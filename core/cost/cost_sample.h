@@ -22,6 +22,7 @@ struct zr_cost_sample {
     double vertex_lamps, vertex_placed_lamps; /* lit vertices and faces, times lights */
     double boxes_width, boxes_height;         /* sums over the boxes of faces, pixels */
     double cap_corners;                       /* faces that planes of sections cross; once per plane */
+    double crossing; /* lower bound of the share of pairs of drawn faces that cut one another */
 };
 
 struct zr_cost_sample zr_cost_sample_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved);
