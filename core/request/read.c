@@ -88,10 +88,12 @@ static enum zr_status find_format(struct zr_request *request, struct zr_error *e
                         words ? words : "", words ? ", which is " : "", zr_format_types_join().text);
 }
 
-/* All text is read as UTF-8. */
-static enum zr_status refuse_utf16(const struct zr_request *request, struct zr_error *error)
+/* All text is read as UTF-8. Clones without Git LFS have short texts in place of large files. */
+static enum zr_status refuse_text(const struct zr_request *request, struct zr_error *error)
 {
     const struct zr_format_row *row = &zr_format_rows[request->format];
+    if (zr_is_lfs_pointer(request->bytes, request->size))
+        return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "a pointer of Git LFS, not the file: git lfs pull fetches it");
     if (!zr_is_utf16(request->bytes, request->size)) return ZR_OK;
     if (row->is_binary && row->looks_so(request->bytes, request->size)) return ZR_OK;
     return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "the body is UTF-16 text; %s is read as UTF-8", row->name);
@@ -223,11 +225,11 @@ static enum zr_status open_body(struct zr_arena *arena, struct zr_request *body,
 {
     if (body->size == 0) body->bytes = ""; /* no arithmetic on a null pointer */
     enum zr_status status = find_format(body, error);
-    if (status == ZR_OK) status = refuse_utf16(body, error);
+    if (status == ZR_OK) status = refuse_text(body, error);
     if (status != ZR_OK) return status;
     status = zr_zip_body_open(arena, body, limits, model, error);
     if (status != ZR_OK && body->format == ZR_FORMAT_ZIP) status = name_bytes(body, status, error);
-    if (status == ZR_OK && *model) status = refuse_utf16(body, error);
+    if (status == ZR_OK && *model) status = refuse_text(body, error);
     return status;
 }
 

@@ -9,6 +9,8 @@ static bool begins_with(const char *bytes, size_t size, const char *begin, size_
     return size >= length && memcmp(bytes, begin, length) == 0;
 }
 
+#define LFS_POINTER "version https://git-lfs.github.com/spec/"
+
 static const struct {
     const char *begin;
     size_t length;
@@ -30,11 +32,17 @@ static const struct {
     {"DDS ", 4, "a DDS texture"},
     {"#?RADIANCE", 10, "a Radiance picture"},
     {"<", 1, "XML or HTML"},
+    {LFS_POINTER, sizeof LFS_POINTER - 1, "a pointer of Git LFS (git lfs pull fetches the file)"},
 };
 
 bool zr_is_utf16(const char *bytes, size_t size)
 {
     return begins_with(bytes, size, "\xFF\xFE", 2) || begins_with(bytes, size, "\xFE\xFF", 2);
+}
+
+bool zr_is_lfs_pointer(const char *bytes, size_t size)
+{
+    return begins_with(bytes, size, LFS_POINTER, sizeof LFS_POINTER - 1);
 }
 
 const char *zr_bytes_in_words(const char *bytes, size_t size)

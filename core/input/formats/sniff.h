@@ -11,4 +11,7 @@ const char *zr_bytes_in_words(const char *bytes, size_t size);
 /* True if the bytes begin with a UTF-16 byte order mark. Binary formats may begin with these bytes, too. */
 bool zr_is_utf16(const char *bytes, size_t size);
 
+/* True if the bytes are the text that a clone without Git LFS has in place of a file. */
+bool zr_is_lfs_pointer(const char *bytes, size_t size);
+
 #endif

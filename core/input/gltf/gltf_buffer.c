@@ -5,6 +5,7 @@
 #include <strings.h>
 
 #include "input/files/file_parts.h"
+#include "input/formats/sniff.h"
 #include "input/text/text.h"
 
 /* ---- lists ---- */
@@ -129,6 +130,9 @@ bool zr_gltf_find_uri(struct zr_gltf *file, const struct zr_json_path *path, con
     if (!part) return refuse_missing(json, path, uri->text);
     if (part->array.type != ZR_BYTES)
         return zr_json_fault(json, path, "the part %s is an array; the bytes of a file are needed",
+                             zr_quote(part->name, strlen(part->name)).text);
+    if (zr_is_lfs_pointer(part->bytes, part->size))
+        return zr_json_fault(json, path, "the part %s is a pointer of Git LFS, not the file: git lfs pull fetches it",
                              zr_quote(part->name, strlen(part->name)).text);
     *out = (struct zr_parsed_bytes){part->bytes, part->size};
     return true;

@@ -106,6 +106,8 @@ bool zr_mtl_add(struct zr_mtl *mtl, const char *name, size_t length)
     const size_t mark = zr_byte_order_mark(bytes, asset->size);
     if (zr_is_utf16(bytes, asset->size))
         zr_reason_give(&mtl->notes[ZR_MTL_NOTE_STRAY].reason, "the file is UTF-16 text; UTF-8 is read");
+    if (zr_is_lfs_pointer(bytes, asset->size))
+        zr_reason_give(&mtl->notes[ZR_MTL_NOTE_STRAY].reason, "a pointer of Git LFS: git lfs pull fetches the file");
     index_lines(mtl, (struct zr_mtl_text){bytes + mark, bytes + asset->size, 1});
     mtl->file_count++;
     return mtl->status == ZR_OK;

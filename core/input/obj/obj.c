@@ -148,6 +148,13 @@ static size_t close_gaps(const struct zr_obj_file *file, bool of_lines)
 
 /* ---- the mesh ---- */
 
+static bool has_holes(const struct zr_obj_file *file)
+{
+    for (size_t i = 0; i < file->part_count; i++)
+        if (file->parts[i].notes[ZR_OBJ_NOTE_HOLES].count > 0) return true;
+    return false;
+}
+
 static void fill(struct zr_obj_file *file, struct zr_mesh *mesh)
 {
     const struct zr_obj_counts *total = &file->total;
@@ -170,12 +177,16 @@ static void fill(struct zr_obj_file *file, struct zr_mesh *mesh)
                              .colors = file->colors};
     if (file->is_cloud) mesh->point_count = mesh->position_count;
     if (mesh->point_count == 0) mesh->points = NULL;
+    if (has_holes(file)) zr_obj_drop_holes(file, mesh);
 }
 
 /* Refuses a file without geometry. If it has unknown lines, the message quotes the first one. */
 static enum zr_status refuse_empty(struct parsing *parsing)
 {
     const struct zr_obj_statement *unknown = zr_obj_first_unknown(&parsing->file);
+    if (has_holes(&parsing->file))
+        return zr_error_add(parsing->error, ZR_BAD_SCENE, NULL,
+                            "no geometry: all that the OBJ file draws is at vertices that are not finite");
     if (!unknown)
         return zr_error_add(parsing->error, ZR_BAD_SCENE, NULL,
                             "no geometry: the OBJ file has no face (f), line (l), point (p) or vertex (v)");
@@ -245,6 +256,7 @@ enum zr_status zr_read_OBJ(struct zr_scene_builder *builder, const struct zr_req
     fill(file, mesh);
     if (mesh->face_count == 0 && mesh->line_count == 0 && mesh->point_count == 0) return refuse_empty(&parsing);
     if ((status = adjust(&parsing, limits, mesh)) != ZR_OK) return status;
+    file->total.faces = mesh->face_count; /* without those at holes */
     if (mesh->normal_count) zr_scene_builder_note_normals(builder, 0, file->normals, total->normals);
     if ((status = zr_obj_name_faces(file, builder, mesh)) != ZR_OK) return status;
     zr_obj_warn(file, builder);

@@ -35,6 +35,7 @@ enum zr_obj_note {
     ZR_OBJ_NOTE_BAD_COLORS,
     ZR_OBJ_NOTE_BAD_LINES,
     ZR_OBJ_NOTE_BAD_POINTS,
+    ZR_OBJ_NOTE_HOLES,
     ZR_OBJ_NOTES,
     ZR_OBJ_NOTE_SECOND = ZR_OBJ_NOTE_EMPTY_INDICES
 };
@@ -82,7 +83,7 @@ struct zr_obj_file {
     struct zr_obj_counts total;
     bool has_colors, has_groups;
     bool is_cloud;               /* the file has only vertices, which are drawn as points */
-    zr_vec4 *positions, *colors; /* NULL: no vertex has a colour */
+    zr_vec4 *positions, *colors; /* x of a hole, a position that is not finite, is NaN; NULL: no vertex has a colour */
     zr_vec3 *normals;
     uint32_t *face_offsets, *indices, *normal_indices; /* NULL: the file has no normals */
     uint32_t *groups;                                  /* per face; NULL: the file has no smoothing groups */
@@ -121,6 +122,9 @@ bool zr_obj_read_part(const struct zr_obj_file *file, size_t index, size_t fault
 bool zr_obj_read_line(const struct zr_obj_file *file, struct zr_obj_statement *statement, struct zr_obj_counts *count);
 bool zr_obj_read_points(const struct zr_obj_file *file, struct zr_obj_statement *statement,
                         struct zr_obj_counts *count);
+
+/* obj_holes.c: leaves out the faces, lines and points at holes. Moves the names, and places holes at another vertex. */
+void zr_obj_drop_holes(struct zr_obj_file *file, struct zr_mesh *mesh);
 
 /* obj_notes.c: adds the warnings. */
 void zr_obj_warn(const struct zr_obj_file *file, struct zr_scene_builder *builder);

@@ -123,6 +123,15 @@ static void set_position(struct reader *reader, const double *v)
     if (file->used && file->used[index]) zr_box_include(&reader->box, v);
 }
 
+static bool set_hole(struct reader *reader)
+{
+    const struct zr_obj_file *file = reader->file;
+    note(reader, ZR_OBJ_NOTE_HOLES);
+    file->positions[reader->count.positions] = (zr_vec4){NAN, 0, 0, 1};
+    if (file->colors) file->colors[reader->count.positions] = (zr_vec4){1, 1, 1, 1};
+    return true;
+}
+
 /* Reads v x y z, v x y z w (a weight for curves) or v x y z r g b (written by Meshlab). */
 static bool read_vertex(struct reader *reader, struct zr_obj_statement *statement)
 {
@@ -132,6 +141,7 @@ static bool read_vertex(struct reader *reader, struct zr_obj_statement *statemen
     double v[VERTEX_NUMBERS_MAX];
     int count;
     if (!read_numbers(reader, statement, VERTEX_NUMBERS_MAX, v, &count)) {
+        if (count < 3 && zr_obj_at_not_finite(*statement)) return set_hole(reader);
         if (count < 3 || !zr_obj_is_bad_color(words, reader->file->end))
             return word_fault(reader, statement, count == VERTEX_NUMBERS_MAX ? "the end of the line" : "a number");
         note(reader, ZR_OBJ_NOTE_BAD_COLORS);

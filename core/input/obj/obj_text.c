@@ -1,9 +1,9 @@
 #include "input/obj/obj_text.h"
 
 #include <stdlib.h>
-#include <strings.h>
 
 #include "input/text/chunk.h"
+#include "input/text/text.h"
 
 struct zr_obj_statement zr_obj_word(struct zr_obj_statement *statement)
 {
@@ -70,10 +70,10 @@ bool zr_obj_is_short_face(struct zr_obj_statement face, const char *end)
     return zr_obj_count_words(&face, end) < ZR_OBJ_CORNERS_LEAST;
 }
 
-static bool is_infinite(const struct zr_obj_statement *word)
+bool zr_obj_at_not_finite(struct zr_obj_statement statement)
 {
-    const char *at = word->at + (word->at < word->end && (*word->at == '-' || *word->at == '+'));
-    return word->end - at >= 3 && (strncasecmp(at, "nan", 3) == 0 || strncasecmp(at, "inf", 3) == 0);
+    const struct zr_obj_statement word = zr_obj_word(&statement);
+    return zr_is_not_finite(word.at, (size_t)(word.end - word.at));
 }
 
 bool zr_obj_is_bad_color(struct zr_obj_statement vertex, const char *end)
@@ -83,8 +83,8 @@ bool zr_obj_is_bad_color(struct zr_obj_statement vertex, const char *end)
     if (zr_obj_count_words(&counted, end) != 6) return false;
     for (int i = 0; i < 6; i++) {
         zr_obj_skip_blanks(&vertex);
-        const struct zr_obj_statement word = zr_obj_word(&vertex);
-        is_bad = is_bad || (i >= 3 && is_infinite(&word));
+        is_bad = is_bad || (i >= 3 && zr_obj_at_not_finite(vertex));
+        zr_obj_word(&vertex);
     }
     return is_bad;
 }

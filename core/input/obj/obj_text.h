@@ -68,6 +68,9 @@ enum { ZR_OBJ_CORNERS_LEAST = 3 }; /* corners per face */
 /* True if the rest of a face has too few corners. Bytes up to `end` may be read. */
 bool zr_obj_is_short_face(struct zr_obj_statement face, const char *end);
 
+/* True if the statement begins with "nan", "inf" or another word of zr_is_not_finite. */
+bool zr_obj_at_not_finite(struct zr_obj_statement statement);
+
 /* True if the rest of a vertex is three words and a colour with "nan" or "inf". Bytes up to `end` may be read. */
 bool zr_obj_is_bad_color(struct zr_obj_statement vertex, const char *end);
 

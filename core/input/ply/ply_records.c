@@ -89,18 +89,6 @@ void zr_ply_skip_comments(struct zr_ply_file *file)
     }
 }
 
-/* Reads the spellings of NaN and infinity: nan, -nan(ind), inf, 1.#QNAN. */
-static bool read_no_number(const char *at, size_t size, double *value)
-{
-    char word[8] = "";
-    if (size > 0 && (*at == '-' || *at == '+')) at++, size--;
-    for (size_t i = 0; i < size && i < 3; i++)
-        word[i] = (char)(at[i] | 0x20);
-    const bool is_none = strcmp(word, "nan") == 0 || strcmp(word, "inf") == 0 || (size > 2 && memchr(at, '#', size));
-    if (is_none) *value = (double)NAN;
-    return is_none;
-}
-
 static bool next_text(struct reader *reader, const struct zr_ply_property *property, double *value)
 {
     struct zr_ply_file *file = reader->file;
@@ -114,12 +102,13 @@ static bool next_text(struct reader *reader, const struct zr_ply_property *prope
     const char *at = file->at, *end = at;
     while (end < file->end && !is_space(*end) && end - at < 64)
         end++;
-    if (!read_no_number(at, (size_t)(end - at), value)) {
+    if (!zr_is_not_finite(at, (size_t)(end - at))) {
         char what[160];
         snprintf(what, sizeof what, ": expected a number for %s", zr_ply_printable(property->name).text);
         return syntax_fault(reader, what, zr_quote(at, (size_t)(end - at)).text);
     }
     file->at = end;
+    *value = (double)NAN;
     return true;
 }
 

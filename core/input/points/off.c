@@ -1,5 +1,5 @@
 /* Reads OFF, the object file format of Geomview: OFF, COFF, NOFF, STOFF and their combinations, as text. Each vertex and
- * each face is a line. Source: "Geomview Manual 1.9", section 4.2.5. */
+ * each face begins a line, and may continue on the next ones. Source: "Geomview Manual 1.9", section 4.2.5. */
 #include <math.h>
 #include <string.h>
 
@@ -76,6 +76,21 @@ static enum zr_status read_header(struct off *off)
     return ZR_OK;
 }
 
+/* Reads `least` to `most` numbers of a line. Fewer than a position continue on the next lines, the last of which ends
+ * behind the number `least`. Returns their count; less than `least` if it is none of these. */
+static int read_numbers(struct off *off, struct zr_points_line *line, double *out, int least, int most)
+{
+    int count = zr_points_numbers(line, out, most);
+    if (count < 0 || count >= 3) return count;
+    const int begun = count;
+    while (count < least && zr_points_next(&off->text, line)) {
+        const int more = zr_points_numbers(line, out + count, least - count);
+        if (more < 0 || (count + more == least && line->at < line->end)) return begun;
+        count += more;
+    }
+    return count < least ? begun : count;
+}
+
 /* ---- vertices ---- */
 
 static enum zr_status read_vertex(struct off *off, size_t number)
@@ -86,9 +101,10 @@ static enum zr_status read_vertex(struct off *off, size_t number)
     if (!zr_points_next(&off->text, &line))
         return zr_error_add(points->error, ZR_BAD_SYNTAX, NULL, "the file is cut: %zu of %zu vertices are there",
                             number, off->vertices);
-    const int count = zr_points_numbers(&line, v, NUMBERS_MAX);
     const int color = off->has_normals ? 6 : 3, least = color + (off->has_colors ? 3 : 0);
-    if (count < least) return zr_points_fault(points, off->text.line, "vertex %zu needs %d numbers", number, least);
+    const size_t begin = off->text.line;
+    const int count = read_numbers(off, &line, v, least, NUMBERS_MAX);
+    if (count < least) return zr_points_fault(points, begin, "vertex %zu needs %d numbers", number, least);
     zr_points_add(points, v);
     if (off->has_normals && isfinite(v[3] + v[4] + v[5]))
         points->normals[number] = (zr_vec3){(float)v[3], (float)v[4], (float)v[5]};
@@ -159,15 +175,22 @@ static bool read_color(struct off *off, struct zr_points_line *line)
     return true;
 }
 
-/* Reads the corners of a face. Sets *has_hole if one is not finite. */
+/* Reads the corners of a face, up to the last one on its line or on the next lines, where nothing follows it. Sets
+ * *has_hole if one is not finite. */
 static enum zr_status read_corners(struct off *off, struct zr_points_line *line, size_t face, size_t corners,
                                    bool *has_hole)
 {
     struct zr_points *points = &off->points;
+    const size_t begin = off->text.line;
+    size_t begun = corners; /* those on the first line */
     for (size_t k = 0; k < corners; k++) {
         double index;
-        if (zr_points_numbers(line, &index, 1) != 1)
-            return zr_points_fault(points, off->text.line, "face %zu has %zu of %zu corners", face, k, corners);
+        const bool goes_on = line->at == line->end;
+        if (goes_on && begun == corners) begun = k;
+        if ((goes_on && !zr_points_next(&off->text, line)) || zr_points_numbers(line, &index, 1) != 1 ||
+            (begun < corners && k + 1 == corners && line->at < line->end))
+            return zr_points_fault(points, begin, "face %zu has %zu of %zu corners", face, k < begun ? k : begun,
+                                   corners);
         if (!(index >= 0 && index < (double)points->count) || index != floor(index))
             return zr_points_fault(points, off->text.line, "face %zu names vertex %g, but there are %zu, from 0 on",
                                    face, index, points->count);

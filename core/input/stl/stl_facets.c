@@ -1,3 +1,5 @@
+#include <math.h>
+
 #include "input/stl/stl_file.h"
 #include "input/text/number.h"
 #include "input/text/text.h"
@@ -15,6 +17,17 @@ static inline bool expect(struct zr_stl_reader *reader, const char *wanted)
     return zr_stl_is_word(word, wanted) || zr_stl_fault(reader, word, "'", wanted);
 }
 
+/* Reads a word that is not finite, if it is noted. */
+static bool read_hole(struct zr_stl_reader *reader, double *value)
+{
+    struct zr_stl_reader ahead = *reader;
+    const struct zr_stl_word word = zr_stl_next(&ahead);
+    if (!reader->notes || !zr_is_not_finite(word.at, word.size)) return false;
+    *value = (double)NAN;
+    reader->at = ahead.at;
+    return true;
+}
+
 static inline bool read_vertex(struct zr_stl_reader *reader, zr_vec4 *out)
 {
     const double near = (double)reader->limits->coordinate_max, limit = zr_recenter_limit(reader->limits);
@@ -22,6 +35,7 @@ static inline bool read_vertex(struct zr_stl_reader *reader, zr_vec4 *out)
     for (int axis = 0; axis < 3; axis++) {
         zr_stl_skip_spaces(reader);
         const char *at = reader->at, *behind = zr_number_next(at, reader->end, &v[axis]);
+        if ((!behind || (behind < reader->end && !zr_stl_is_space(*behind))) && read_hole(reader, &v[axis])) continue;
         if (!behind || (behind < reader->end && !zr_stl_is_space(*behind)))
             return zr_stl_fault(reader, zr_stl_next(reader), "", "a number");
         reader->at = behind;
@@ -32,7 +46,8 @@ static inline bool read_vertex(struct zr_stl_reader *reader, zr_vec4 *out)
                          reader->line, zr_quote(at, (size_t)(behind - at)).text, reader->before + reader->facets + 1,
                          limit);
     }
-    if (reader->finds_box) zr_box_include(&reader->box, v);
+    if (isnan(v[0] + v[1] + v[2])) v[0] = (double)NAN;
+    if (reader->finds_box && !isnan(v[0])) zr_box_include(&reader->box, v);
     *out = zr_recenter_position(v, reader->origin);
     return true;
 }

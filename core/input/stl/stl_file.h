@@ -53,6 +53,7 @@ enum zr_stl_oddity {
     ZR_STL_POLYGON,   /* facets of more than three corners */
     ZR_STL_NO_SOLID,  /* facets outside of a solid */
     ZR_STL_NO_END,    /* solids without "endsolid" */
+    ZR_STL_HOLE,      /* facets with a coordinate that is not finite */
     ZR_STL_ODDITIES
 };
 
@@ -165,7 +166,8 @@ static inline bool zr_stl_begins_comment(struct zr_stl_word word)
 bool zr_stl_fault(struct zr_stl_reader *reader, struct zr_stl_word found, const char *quotes, const char *expected);
 
 /* stl_facets.c: reads the numbers of a vertex. False at a syntax error.
- * Reports coordinates out of range and returns true. */
+ * Reports coordinates out of range and returns true. With notes, words such as "nan" are numbers; x of such a vertex is
+ * NaN. */
 bool zr_stl_read_vertex(struct zr_stl_reader *reader, zr_vec4 *out);
 
 /* stl_facets.c: reads a facet of three corners after "facet", by the syntax of the source, and counts it. */

@@ -1,3 +1,5 @@
+#include <math.h>
+
 #include "input/stl/stl_file.h"
 #include "input/text/text.h"
 
@@ -128,11 +130,24 @@ static bool begin_offsets(struct zr_stl_reader *reader)
     return reader->offsets != NULL;
 }
 
+/* True if one of the corners that were read last is not finite. */
+static bool has_hole(const struct zr_stl_reader *reader, size_t corners)
+{
+    for (size_t i = 0; i < corners; i++)
+        if (isnan(reader->positions[reader->vertices + i].x)) return true;
+    return false;
+}
+
+/* Counts a facet that is finite; notes any other one. */
 static bool count_facet(struct zr_stl_reader *reader, size_t corners, size_t line)
 {
     if (corners > reader->limits->polygon_vertices_max)
         zr_error_add(reader->error, ZR_BAD_SCENE, NULL, "line %zu: a facet of %zu corners; 3 to %u are allowed", line,
                      corners, reader->limits->polygon_vertices_max);
+    if (has_hole(reader, corners)) {
+        note_at(reader, ZR_STL_HOLE, line, NULL);
+        return true;
+    }
     if (corners > 3) note_at(reader, ZR_STL_POLYGON, line, NULL);
     if (corners > 3 && !begin_offsets(reader)) return false;
     reader->vertices += corners;
@@ -180,7 +195,8 @@ static bool skip_unknown(struct zr_stl_reader *reader, struct zr_stl_word word, 
 /* True if the text has a facet or an unknown line: then a missing "endsolid" is no fault. */
 static bool has_any(const struct zr_stl_reader *reader)
 {
-    return reader->before + reader->facets > 0 || reader->notes->of[ZR_STL_UNKNOWN].count > 0;
+    return reader->before + reader->facets > 0 || reader->notes->of[ZR_STL_UNKNOWN].count > 0 ||
+           reader->notes->of[ZR_STL_HOLE].count > 0;
 }
 
 /* Reads up to the end of a solid or the text. */

@@ -238,6 +238,7 @@ static const struct {
     [ZR_STL_POLYGON] = {"facet", "facets", "of more than three corners"},
     [ZR_STL_NO_SOLID] = {"solid", "solids", "without 'solid'"},
     [ZR_STL_NO_END] = {"solid", "solids", "without 'endsolid'"},
+    [ZR_STL_HOLE] = {"triangle", "triangles", "not finite and left out"},
 };
 
 static void warn(const struct zr_stl_notes *notes, struct zr_scene_builder *builder)

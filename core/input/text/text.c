@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 size_t zr_byte_order_mark(const char *bytes, size_t size)
 {
@@ -16,6 +17,15 @@ size_t zr_count_blanks(const char *bytes, size_t size)
     while (count < size && count < ZR_BLANKS_MAX && bytes[count] && strchr(" \t\r\n", bytes[count]))
         count++;
     return count;
+}
+
+bool zr_is_not_finite(const char *word, size_t size)
+{
+    const size_t sign = size > 0 && (*word == '-' || *word == '+');
+    word += sign;
+    size -= sign;
+    return size >= 3 &&
+           (strncasecmp(word, "nan", 3) == 0 || strncasecmp(word, "inf", 3) == 0 || memchr(word + 1, '#', size - 1));
 }
 
 struct zr_quote zr_quote(const char *bytes, size_t size)

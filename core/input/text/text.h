@@ -2,6 +2,7 @@
 #ifndef ZR_TEXT_H
 #define ZR_TEXT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/utf8.h"
@@ -21,6 +22,9 @@ size_t zr_byte_order_mark(const char *bytes, size_t size);
 /* Counts leading blanks, tabs and line ends, at most ZR_BLANKS_MAX. */
 enum { ZR_BLANKS_MAX = 64 << 10 };
 size_t zr_count_blanks(const char *bytes, size_t size);
+
+/* True for the words that programs write for NaN and infinity: nan, -nan(ind), inf, 1.#QNAN. */
+bool zr_is_not_finite(const char *word, size_t size);
 
 /* Formats bytes of the input for a message: in single quotes, cut at a whole character, with '?' for bytes that are not
  * printable UTF-8. */

@@ -31,7 +31,8 @@ static const char *const texts[ZR_THREEMF_NOTE_COUNT] = {
     [ZR_THREEMF_NOTE_OTHER] = "items or components of the type other are left out",
     [ZR_THREEMF_NOTE_MODIFIER] = "parts or triangles are modifiers of a slicer, and are left out",
     [ZR_THREEMF_NOTE_NOT_PRINTED] = "items are marked as not printable, and are drawn",
-    [ZR_THREEMF_NOTE_UNIT] = "parts have a different unit from the first, to which their coordinates are converted"};
+    [ZR_THREEMF_NOTE_UNIT] = "parts have a different unit from the first, to which their coordinates are converted",
+    [ZR_THREEMF_NOTE_HOLE] = "vertices are not finite, and their triangles are left out"};
 
 static bool is_about_color(int note)
 {

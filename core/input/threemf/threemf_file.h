@@ -65,6 +65,7 @@ enum zr_threemf_note {
     ZR_THREEMF_NOTE_MODIFIER,
     ZR_THREEMF_NOTE_NOT_PRINTED,
     ZR_THREEMF_NOTE_UNIT,
+    ZR_THREEMF_NOTE_HOLE,
     ZR_THREEMF_NOTE_COUNT
 };
 
@@ -208,6 +209,7 @@ struct zr_threemf_corners {
     struct zr_threemf *file;
     const struct zr_threemf_setting *volumes; /* settings of ranges of triangles, ascending */
     uint32_t volume_count, volume;            /* `volume`: index of the setting at or before the last triangle */
+    uint32_t dropped;                         /* triangles of the file that were left out so far */
     struct zr_threemf_paint *paints;          /* NULL: no triangle so far has paint or a volume */
     uint32_t room;                            /* capacity in triangles */
     uint32_t *colors;                         /* 0xAABBGGRR, one per corner; NULL: no triangle has one so far */

@@ -1,4 +1,5 @@
 /* Reads the mesh of an object of 3MF: vertices, triangles and their colours. */
+#include <math.h>
 #include <string.h>
 
 #include "input/threemf/threemf_file.h"
@@ -11,6 +12,7 @@ struct mesh {
     zr_vec4 *positions;
     uint32_t *corners;
     struct zr_threemf_corners properties;
+    bool has_holes;       /* a vertex is not finite */
     bool is_far;          /* a coordinate is beyond the limit (recenter.h) */
     struct zr_xml *again; /* if is_far: state at the begin of the vertices */
     bool finds_box;       /* vertices are read to find the bounds of used ones */
@@ -74,30 +76,56 @@ static bool has_triangle_room(struct mesh *mesh)
 
 /* ---- vertices ---- */
 
+/* Reads a coordinate. Returns false if it is not finite. */
+static bool read_coordinate(struct mesh *mesh, const struct zr_xml_attribute *attribute, double *out)
+{
+    struct zr_threemf *file = mesh->file;
+    const struct zr_xml_text text = attribute->value;
+    const double limit = zr_recenter_limit(file->limits);
+    if (!zr_threemf_number(&file->xml, text, out)) {
+        if (zr_is_not_finite(text.at, text.length)) return false;
+        zr_threemf_fault(file, file->tag.at, "vertex %u: %c is %s, which is no number", mesh->vertex_count,
+                         *attribute->name.at, zr_quote(text.at, text.length).text);
+    } else if (!(*out >= -limit && *out <= limit)) {
+        zr_threemf_fault(file, file->tag.at, "vertex %u: %c is beyond the limit of %.9g", mesh->vertex_count,
+                         *attribute->name.at, limit);
+    }
+    return true;
+}
+
+/* Stores a vertex; x of a hole, one that is not finite, is NaN. */
+static void put_vertex(struct mesh *mesh, const double v[3], bool is_hole)
+{
+    struct zr_threemf *file = mesh->file;
+    if (is_hole && !mesh->move) zr_threemf_note(file, ZR_THREEMF_NOTE_HOLE, file->tag.at, file->tag.name);
+    mesh->has_holes |= is_hole;
+    if (mesh->finds_box && mesh->used[mesh->vertex_count]) zr_box_include(&mesh->move->box, v);
+    if (!has_vertex_room(mesh)) return;
+    mesh->positions[mesh->vertex_count++] =
+        is_hole ? (zr_vec4){NAN, NAN, NAN, 1} : zr_recenter_position(v, mesh->origin);
+}
+
 static void read_vertex(struct mesh *mesh)
 {
     struct zr_threemf *file = mesh->file;
     const struct zr_xml_tag *tag = &file->tag;
-    const double near = (double)file->limits->coordinate_max, limit = zr_recenter_limit(file->limits);
+    const double near = (double)file->limits->coordinate_max;
     double v[3] = {0};
     unsigned given = 0;
+    bool is_hole = false;
     for (size_t i = 0; i < tag->count; i++) {
         const struct zr_xml_attribute *attribute = &tag->attributes[i];
         const unsigned axis = (unsigned)((unsigned char)*attribute->name.at - 'x');
         if (attribute->name.length != 1 || axis > 2 || attribute->prefix.length != 0) continue;
-        if (!zr_threemf_number(&file->xml, attribute->value, &v[axis]))
-            zr_threemf_fault(file, tag->at, "vertex %u: %c is %s, which is no number", mesh->vertex_count,
-                             *attribute->name.at, zr_quote(attribute->value.at, attribute->value.length).text);
-        else if (!(v[axis] >= -limit && v[axis] <= limit))
-            zr_threemf_fault(file, tag->at, "vertex %u: %c is beyond the limit of %.9g", mesh->vertex_count,
-                             *attribute->name.at, limit);
         given |= 1u << axis;
-        mesh->is_far |= !(v[axis] >= -near && v[axis] <= near);
+        if (read_coordinate(mesh, attribute, &v[axis]))
+            mesh->is_far |= !(v[axis] >= -near && v[axis] <= near);
+        else
+            is_hole = true;
     }
     if (given != 7)
         zr_threemf_fault(file, tag->at, "vertex %u: %c is missing", mesh->vertex_count, "xyz"[__builtin_ctz(~given)]);
-    if (mesh->finds_box && mesh->used[mesh->vertex_count]) zr_box_include(&mesh->move->box, v);
-    if (has_vertex_room(mesh)) mesh->positions[mesh->vertex_count++] = zr_recenter_position(v, mesh->origin);
+    put_vertex(mesh, v, is_hole);
 }
 
 static void read_vertices(struct mesh *mesh)
@@ -205,7 +233,13 @@ static bool read_attributes(struct mesh *mesh, struct triangle *t)
     return zr_threemf_fault(file, tag->at, "triangle %u: v%c is missing", mesh->triangle_count, missing);
 }
 
-/* The caller ensures room. */
+static bool is_at_hole(const struct mesh *mesh, const uint32_t corners[3])
+{
+    return isnan(mesh->positions[corners[0]].x) || isnan(mesh->positions[corners[1]].x) ||
+           isnan(mesh->positions[corners[2]].x);
+}
+
+/* The caller ensures room. Leaves out triangles at holes. */
 static void read_triangle(struct mesh *mesh)
 {
     struct zr_threemf *file = mesh->file;
@@ -217,6 +251,10 @@ static void read_triangle(struct mesh *mesh)
         if (t.v[i] < mesh->vertex_count) continue;
         zr_threemf_fault(file, file->tag.at, "triangle %u names vertex %u, but there are %u", mesh->triangle_count,
                          t.v[i], mesh->vertex_count);
+        return;
+    }
+    if (mesh->has_holes && is_at_hole(mesh, corners)) {
+        mesh->properties.dropped++;
         return;
     }
     if (t.p[0] == ZR_THREEMF_NONE) {
@@ -247,6 +285,19 @@ static void read_triangles(struct mesh *mesh)
 
 /* ---- the mesh ---- */
 
+/* Places holes, which no triangle uses, at a vertex that is finite: they would enlarge bounds. */
+static void fill_holes(const struct mesh *mesh)
+{
+    uint32_t good = 0;
+    while (good < mesh->vertex_count && isnan(mesh->positions[good].x))
+        good++;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        if (i % EXPANDED_AT_ONCE == 0 && zr_is_cancelled(mesh->file->cancel)) return;
+        if (isnan(mesh->positions[i].x))
+            mesh->positions[i] = good < mesh->vertex_count ? mesh->positions[good] : (zr_vec4){0, 0, 0, 1};
+    }
+}
+
 uint32_t zr_threemf_read_mesh(struct zr_threemf *file, uint32_t object, uint32_t pid, uint32_t pindex)
 {
     struct mesh mesh = {.file = file, .pid = pid, .pindex = pindex, .properties = {.file = file}};
@@ -263,6 +314,7 @@ uint32_t zr_threemf_read_mesh(struct zr_threemf *file, uint32_t object, uint32_t
             zr_threemf_note(file, ZR_THREEMF_NOTE_SPACES + file->tag.space, file->tag.at, file->tag.name);
     }
     if (mesh.again && !zr_threemf_stops(file)) move_to_middle(&mesh);
+    if (mesh.has_holes && !zr_threemf_stops(file)) fill_holes(&mesh);
     struct zr_mesh *out = zr_threemf_list_add(file->arena, &file->meshes, sizeof *out);
     const struct zr_recenter_move **move = zr_threemf_list_add(file->arena, &file->moves, sizeof *move);
     if (!out || !move) return ZR_THREEMF_NONE;

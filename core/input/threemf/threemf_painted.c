@@ -15,9 +15,10 @@ static bool begin_paints(struct zr_threemf_corners *corners, uint32_t count)
     return corners->paints != NULL;
 }
 
-/* Returns the slicer's setting of a triangle, or NULL. Triangles ascend. */
+/* Returns the slicer's setting of a triangle, or NULL. Triangles ascend. The numbers of settings are those of the file. */
 static const struct zr_threemf_setting *find_volume(struct zr_threemf_corners *corners, uint32_t triangle)
 {
+    triangle += corners->dropped;
     while (corners->volume < corners->volume_count && corners->volumes[corners->volume].last < triangle)
         corners->volume++;
     const struct zr_threemf_setting *at = corners->volumes + corners->volume;

@@ -8,6 +8,15 @@
 #include "support/tests.h"
 #include "unit/common/input_check.h"
 
+/* What a clone without Git LFS has in place of a file, and a model with a part. */
+#define LFS "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a214614ab\nsize 12345\n"
+#define WITH_BUFFER                                                                                                    \
+    "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"a.bin\",\"byteLength\":36}],"                            \
+    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"                                                              \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","                           \
+    "\"min\":[0,0,0],\"max\":[1,1,1]}],"                                                                               \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"nodes\":[{\"mesh\":0}]}"
+
 TEST(each_media_type_leads_to_its_format)
 {
     static const struct {
@@ -110,6 +119,7 @@ TEST(bytes_look_like_what_they_are)
                  {"\xFF\xFD", ZR_FORMAT_UNKNOWN, NULL},
                  {"# a\n; b\nsolid x\n", ZR_FORMAT_STL, "STL"},
                  {"\xEF\xBB\xBFsolid x\n", ZR_FORMAT_STL, "STL"},
+                 {LFS, ZR_FORMAT_UNKNOWN, "a pointer of Git LFS (git lfs pull fetches the file)"},
                  {"<html>", ZR_FORMAT_UNKNOWN, "XML or HTML"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         expect(cases[i].text, strlen(cases[i].text), cases[i].format, cases[i].words);
@@ -138,6 +148,21 @@ TEST(binary_stl_with_bytes_behind_it_is_known_by_its_coordinates)
     }
     bytes[80] = 0;
     expect(bytes, sizeof bytes, ZR_FORMAT_UNKNOWN, NULL);
+}
+
+TEST(pointers_of_lfs_are_named)
+{
+    for (int format = 0; format < ZR_FORMAT_COUNT; format++) {
+        struct reading *reading = read_text((enum zr_format)format, LFS);
+        assert_complaint(reading, ZR_BAD_SYNTAX, "", "a pointer of Git LFS, not the file: git lfs pull fetches it");
+        assert_int_equal(reading->error.count, 1);
+        reading_free(reading);
+    }
+    const struct zr_asset part = {.name = "a.bin", .bytes = LFS, .size = sizeof LFS - 1};
+    struct reading *reading =
+        read_with_part(ZR_FORMAT_GLTF, (struct zr_request){.look = "textbook"}, &part, WITH_BUFFER);
+    assert_complaint(reading, ZR_BAD_SCENE, "/buffers/0/uri", "the part 'a.bin' is a pointer of Git LFS, not the file");
+    reading_free(reading);
 }
 
 /* A binary STL may begin with the same bytes. */

@@ -39,6 +39,15 @@ static const struct {
     {V "v 1 1 0 255.5 0 0\nf 1 2 4\n", V "v 1 1 0 1 0 0\nf 1 2 4\n", "OBJ: 1 colour is outside of its range, and"},
     {V "v 1 1 0 nan nan nan\nv 1 0 0 0.1 -NaN 0\n" F, V "v 1 1 0 1 1 1\nv 1 0 0 1 1 1\n" F,
      "OBJ: 2 colours are not of three numbers, and white; the first is line 4: 'v 1 1 0 nan nan nan'"},
+    /* vertices that are not finite */
+    {V "v nan -1.#IND inf\nf 1 2 4\no a\nf 4 3 1 2\n" F "o b\nf -1 1 2\nf 3 2 1\n",
+     V "v 0 0 0\no a\n" F "o b\nf 3 2 1\n",
+     "OBJ: 1 vertex is not finite, and what is drawn there is left out; it is line 4: 'v nan -1.#IND inf'"},
+    {"v nan 0 0\n" V "vn 0 0 1\ns 1\nf 1 2 3\ns 2\nf 4//1 3//1 2//1\nl 1 2\nl 2 3\np 1 3\n",
+     "v 0 0 0\n" V "vn 0 0 1\ns 2\nf 4//1 3//1 2//1\nl 2 3\np 3\n", "OBJ: 1 vertex is not finite, and what is"},
+    {"v nan 0 0\nv 9000000000 0 0\nv 9000000001 0 0\nv 9000000000 1 0\nf 2 3 4\n",
+     "v 9000000000 0 0\nv 9000000000 0 0\nv 9000000001 0 0\nv 9000000000 1 0\nf 2 3 4\n", "OBJ: 1 vertex is not"},
+    {V "v nan 0 0\n", V, "OBJ: 1 vertex is not finite"},
     /* faces of fewer than three corners */
     {V "f 1 2\nf\n" F "f 3// # 1 2\n", V F,
      "OBJ: 3 faces have fewer than three corners, and are not drawn; the first is line 4: 'f 1 2'"},

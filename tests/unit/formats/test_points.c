@@ -39,6 +39,18 @@ TEST(off_has_polygons_and_colours_of_faces)
     reading_free(reading);
 }
 
+/* Programs that read white space alike write one number per line. */
+TEST(off_continues_on_the_next_lines)
+{
+    struct reading *reading = read_file_text("OFF\n4 2 0\n0 0 0\n1\n0\n0\n1 1\n0.25\n0 1 0\n4 0\n1\n2 \n3\n3 0\n1 2\n");
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    static const uint32_t indices[] = {0, 1, 2, 3, 0, 1, 2};
+    assert_int_equal(mesh->face_count, 2);
+    assert_memory_equal(mesh->indices, indices, sizeof indices);
+    assert_true(mesh->positions[2].y == 1 && mesh->positions[2].z == 0.25f && mesh->positions[3].y == 1);
+    reading_free(reading);
+}
+
 TEST(off_has_colours_and_normals_of_vertices)
 {
     static const char *const texts[] = {
