@@ -183,6 +183,9 @@ struct zr_gltf_listing {
     bool *has_material; /* one per material: true if it is listed */
 };
 
+/* Sets of texture coordinates that textures may name. */
+enum { ZR_GLTF_SETS = 8 };
+
 struct zr_gltf {
     struct zr_json json;
     struct zr_scene_builder *builder;
@@ -203,7 +206,10 @@ struct zr_gltf {
     struct zr_gltf_image *images;
     struct zr_gltf_listing *listing; /* NULL: images are decoded */
     const char **material_places;    /* NULL after the material is read */
-    uint32_t *first_uses;            /* one per mesh; NONE if no node of the scene places it */
+    struct zr_gltf_sets {
+        uint32_t of[2];
+    } sets, *material_sets; /* of the material that is read; of each material */
+    uint32_t *first_uses;   /* one per mesh; NONE if no node of the scene places it */
     uint32_t use_count;
     struct zr_gltf_use *uses;
     struct zr_gltf_animation *animation; /* private to gltf_animation.c */
@@ -225,7 +231,7 @@ struct zr_gltf {
     struct zr_gltf_note holes;                                    /* positions that are not finite */
     struct zr_gltf_note short_buffers,
         other_counts; /* fewer bytes than byteLength; other counts than compressed data */
-    struct zr_gltf_note missing_images, not_finite, wide_texcoords, zero_strides, bad_cameras;
+    struct zr_gltf_note missing_images, not_finite, third_sets, wide_texcoords, zero_strides, bad_cameras;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
         bad_lights, clamped_spots, specular_textures, gloss_textures;
     struct zr_gltf_note not_compressed, not_drawn; /* attributes of primitives with compressed data */
@@ -390,6 +396,9 @@ void zr_gltf_list_images_of(struct zr_gltf *file, uint32_t material);
 
 /* Returns the sets of texture coordinates that a material uses, one bit each. */
 uint32_t zr_gltf_texcoords_of(const struct zr_parsed_material *material);
+
+/* Returns the set of texture coordinates that a material has as its set `place`, 0 or 1. NONE: no material. */
+uint32_t zr_gltf_set_of(const struct zr_gltf *file, uint32_t material, uint32_t place);
 
 /* Reads the lists of textures, samplers and images. */
 bool zr_gltf_read_textures(struct zr_gltf *file);

@@ -177,6 +177,7 @@ static bool read_material(struct zr_gltf *file, const char *place, const struct 
     struct given_material given = {.name = "", .alpha_cutoff = 0.5};
     const size_t faults = file->json.error->count;
     double strength = 1;
+    file->sets = (struct zr_gltf_sets){{ZR_GLTF_NONE, ZR_GLTF_NONE}};
     if (!zr_gltf_fields_at(file, place, path, &object, &given)) return false;
     out->name = given.name;
     out->keys = UINT64_C(1) << ZR_MATERIAL_BASE_COLOR | UINT64_C(1) << ZR_MATERIAL_METALLIC |
@@ -207,6 +208,7 @@ bool zr_gltf_read_materials(struct zr_gltf *file)
     file->made->material_count = count;
     file->made->materials = zr_arena_zero(arena, count, sizeof *file->made->materials);
     file->material_places = zr_arena_zero(arena, count, sizeof *file->material_places);
+    file->material_sets = zr_arena_zero(arena, count, sizeof *file->material_sets);
     return zr_arena_ok(arena) && zr_gltf_read_list(file, ZR_GLTF_MATERIALS, note_place);
 }
 
@@ -217,6 +219,7 @@ const struct zr_parsed_material *zr_gltf_find_material(struct zr_gltf *file, con
     struct zr_parsed_material *material = &file->made->materials[number];
     const char *place = file->material_places[number];
     if (place && !read_material(file, place, ZR_GLTF_ITEM(ZR_GLTF_MATERIALS, number), material)) return NULL;
+    if (place) file->material_sets[number] = file->sets;
     file->material_places[number] = NULL;
     return material;
 }
@@ -234,4 +237,10 @@ uint32_t zr_gltf_texcoords_of(const struct zr_parsed_material *material)
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         if (material->textures[slot].number > 0) sets |= 1u << material->textures[slot].texcoord;
     return sets;
+}
+
+uint32_t zr_gltf_set_of(const struct zr_gltf *file, uint32_t material, uint32_t place)
+{
+    const uint32_t set = material == ZR_GLTF_NONE ? ZR_GLTF_NONE : file->material_sets[material].of[place];
+    return set == ZR_GLTF_NONE ? place : set;
 }

@@ -20,13 +20,14 @@ enum {
 
 /* Attributes of a primitive: accessor numbers, or NONE. */
 struct zr_gltf_attributes {
-    uint32_t position, normal, tangent, texcoords[2], color, joints[2], weights[2];
+    uint32_t position, normal, tangent, texcoords[ZR_GLTF_SETS], color, joints[2], weights[2];
 };
 
 #define ZR_GLTF_NO_ATTRIBUTES                                                                                          \
     {                                                                                                                  \
-        ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE, {ZR_GLTF_NONE, ZR_GLTF_NONE}, ZR_GLTF_NONE,                          \
-            {ZR_GLTF_NONE, ZR_GLTF_NONE},                                                                              \
+        ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE, {ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE,             \
+                                                   ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE, ZR_GLTF_NONE},            \
+            ZR_GLTF_NONE, {ZR_GLTF_NONE, ZR_GLTF_NONE},                                                                \
         {                                                                                                              \
             ZR_GLTF_NONE, ZR_GLTF_NONE                                                                                 \
         }                                                                                                              \

@@ -72,25 +72,34 @@ static int shape_of_texcoords(const struct zr_gltf *file, uint32_t accessor)
     return is_wide ? ZR_GLTF_VEC3 : ZR_GLTF_VEC2;
 }
 
-/* Reads both sets into one array: set 0 into x, y and set 1 into z, w. */
+/* Returns the accessor of the set that the material has at a place, 0 or 1. */
+static uint32_t texcoords_at(const struct zr_gltf *file, const struct zr_gltf_making *making, uint32_t place)
+{
+    return making->given->attributes.texcoords[zr_gltf_set_of(file, making->given->material, place)];
+}
+
+/* Reads both sets of the material into one array: the first into x, y and the second into z, w. */
 static bool read_texcoords(struct zr_gltf *file, const struct zr_gltf_making *making)
 {
-    static const char *const names[2] = {"TEXCOORD_0", "TEXCOORD_1"};
-    const uint32_t *numbers = making->given->attributes.texcoords, count = making->range.count;
+    static const char *const names[ZR_GLTF_SETS] = {"TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2", "TEXCOORD_3",
+                                                    "TEXCOORD_4", "TEXCOORD_5", "TEXCOORD_6", "TEXCOORD_7"};
+    const uint32_t count = making->range.count;
     zr_vec4 *texcoords = zr_json_has_time(&file->json, count * sizeof *texcoords)
                              ? zr_arena_zero(file->json.arena, count, sizeof *texcoords)
                              : NULL;
     if (!texcoords) return false;
-    for (int set = 0; set < 2; set++) {
+    for (uint32_t place = 0; place < 2; place++) {
+        const uint32_t number = texcoords_at(file, making, place);
         const struct zr_gltf_attribute of =
-            attribute_of(making, names[set], numbers[set], shape_of_texcoords(file, numbers[set]));
+            attribute_of(making, names[zr_gltf_set_of(file, making->given->material, place)], number,
+                         shape_of_texcoords(file, number));
         struct zr_gltf_values values;
-        if (numbers[set] == ZR_GLTF_NONE) continue;
+        if (number == ZR_GLTF_NONE) continue;
         if (!zr_gltf_open_attribute(file, &of, &values)) return false;
         values.mends = true;
         if (of.shape == ZR_GLTF_VEC3) zr_gltf_note(&file->wide_texcoords, ZR_JSON_KEY(of.path, of.name));
         values.width = 2;
-        if (!zr_gltf_read_floats(file, &values, &making->range, &texcoords[0].x + 2 * set, 4)) return false;
+        if (!zr_gltf_read_floats(file, &values, &making->range, &texcoords[0].x + 2 * (size_t)place, 4)) return false;
     }
     making->mesh->texcoords = texcoords;
     return true;
@@ -138,15 +147,17 @@ static bool read_attributes(struct zr_gltf *file, const struct zr_gltf_making *m
 {
     const struct zr_gltf_attributes *of = &making->given->attributes;
     const uint32_t material = making->given->material;
-    const bool has_texcoords = of->texcoords[0] != ZR_GLTF_NONE || of->texcoords[1] != ZR_GLTF_NONE;
+    const bool has_texcoords =
+        texcoords_at(file, making, 0) != ZR_GLTF_NONE || texcoords_at(file, making, 1) != ZR_GLTF_NONE;
     if (of->normal != ZR_GLTF_NONE && !read_normals(file, making)) return false;
     if (of->tangent != ZR_GLTF_NONE && !read_tangents(file, making)) return false;
     if (of->color != ZR_GLTF_NONE && !read_colors(file, making)) return false;
     const uint32_t needed = material == ZR_GLTF_NONE || making->mesh->face_count == 0
                                 ? 0
                                 : zr_gltf_texcoords_of(&file->made->materials[material]);
-    for (uint32_t set = 0; set < 2; set++)
-        if (needed >> set & 1u && of->texcoords[set] == ZR_GLTF_NONE) zr_gltf_note(&file->no_texcoords, making->path);
+    for (uint32_t place = 0; place < 2; place++)
+        if (needed >> place & 1u && texcoords_at(file, making, place) == ZR_GLTF_NONE)
+            zr_gltf_note(&file->no_texcoords, making->path);
     return !(has_texcoords || needed) || read_texcoords(file, making);
 }
 

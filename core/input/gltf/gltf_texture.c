@@ -259,6 +259,19 @@ bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, 
     return zr_arena_ok(file->json.arena);
 }
 
+/* Gives a set of texture coordinates a place, 0 or 1, of the two that a mesh has: its own if it is free. False if both
+ * have other sets. */
+static bool place_set(struct zr_gltf_sets *sets, uint32_t set, uint32_t *place)
+{
+    const uint32_t first = set == 1;
+    for (uint32_t i = 0; i < 2; i++)
+        if (sets->of[i] == set) return *place = i, true;
+    *place = sets->of[first] == ZR_GLTF_NONE ? first : !first;
+    if (sets->of[*place] != ZR_GLTF_NONE || set >= ZR_GLTF_SETS) return false;
+    sets->of[*place] = set;
+    return true;
+}
+
 bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct zr_json_path *path,
                           enum zr_texture_slot slot, struct zr_parsed_texture *out, struct zr_texture *texture)
 {
@@ -269,9 +282,10 @@ bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct 
                                       .texcoord = given.texcoord,
                                       .strength = slot == ZR_TEXTURE_NORMAL ? given.scale : given.strength};
     if (given.extensions) read_transform(file, ZR_JSON_KEY(path, "extensions"), given.extensions, out);
-    if (out->texcoord > 1)
-        return zr_json_fault(&file->json, ZR_JSON_KEY(path, info_fields[SET].key),
-                             "%u; texture coordinates 0 and 1 are read", out->texcoord);
+    if (!place_set(&file->sets, out->texcoord, &out->texcoord)) {
+        if (!file->listing) zr_gltf_note(&file->third_sets, path);
+        return false;
+    }
     return zr_gltf_check_index(file, ZR_JSON_KEY(path, info_fields[INDEX].key), given.index, ZR_GLTF_TEXTURES) &&
            find(file, slot, given.index, out, texture);
 }

@@ -67,6 +67,8 @@ void zr_gltf_warn(struct zr_gltf *file)
             "primitives lack texture coordinates of their materials, which are 0, 0");
     warn_of(file, colors, &file->missing_images, "no part of the request has this name: the image is not drawn",
             "images are no parts of the request and are not drawn");
+    warn_of(file, colors, &file->third_sets, "a third set of texture coordinates in its material, and not drawn",
+            "textures have a third set of texture coordinates in their materials, and are not drawn");
     warn_of(file, colors, &file->no_source, "without a source, and not drawn", "textures are without a source");
     warn_of(file, colors, &file->specular_textures, "drawn without its textures",
             "materials are drawn without the textures of KHR_materials_specular");

@@ -169,6 +169,30 @@ TEST(accessors_are_strided_normalized_and_sparse)
     reading_free(reading);
 }
 
+/* A mesh has two sets of texture coordinates: those that textures of its material name. */
+TEST(materials_name_two_of_eight_sets_of_texture_coordinates)
+{
+    static const char *const textures[] = {
+        "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"texCoord\":3}}",
+        "\"normalTexture\":{\"index\":0,\"texCoord\":3},\"emissiveFactor\":[1,1,1],\"emissiveTexture\":{\"index\":0}",
+        "\"normalTexture\":{\"index\":0},\"occlusionTexture\":{\"index\":0,\"texCoord\":3}"};
+    for (size_t i = 0; i < 3; i++) {
+        char text[4096];
+        snprintf(
+            text, sizeof text,
+            "%.*s,\"textures\":[{}],\"materials\":[{%s}],\"meshes\":[{\"primitives\":[{\"indices\":1,\"material\":0,"
+            "\"attributes\":{\"POSITION\":3,\"TEXCOORD_3\":4}}]}]}",
+            (int)sizeof FILE_OF(NODE) - 2, FILE_OF(NODE), textures[i]);
+        struct reading *reading = read_file(text);
+        const zr_vec4 *texcoords = reading->scene->meshes[0].texcoords;
+        const bool is_second = i == 2;
+        assert_true((is_second ? texcoords[1].z : texcoords[1].x) == 1.0f);
+        assert_true((is_second ? texcoords[3].z : texcoords[3].x) == -1.0f);
+        assert_true((is_second ? texcoords[1].x : texcoords[1].z) == 0.0f);
+        reading_free(reading);
+    }
+}
+
 TEST(only_the_vertices_of_a_primitive_are_kept)
 {
     static const char text[] = "{" ASSET "," BUFFERS "," VIEWS ",\"accessors\":[" SQUARE ",{\"bufferView\":1,"
