@@ -8,6 +8,8 @@
 #include "effects/edges.h"
 #include "effects/ground.h"
 #include "effects/shadow_maps.h"
+#include "lines/cells.h"
+#include "lines/window_view.h"
 #include "output/images/lossy.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
@@ -138,6 +140,13 @@ static bool draws_lines(const struct zr_picture *picture)
     return picture->edges.is_on && picture->edges.is_from_mesh;
 }
 
+/* Returns pixels of the window in which lines are found (lines/window_view.h) per pixel of a window that the scene
+ * fills. */
+static double fine_pixels(double width, double height)
+{
+    return (double)ZR_FINE_DIAGONAL * ZR_FINE_DIAGONAL / (width * width + height * height);
+}
+
 /* Returns how often lines of the mesh are found: for a picture, and for a file. */
 static double line_times(const struct zr_scene *scene, const struct passes *passes)
 {
@@ -151,6 +160,13 @@ static double bytes_of_masks(const struct zr_scene *scene, double pixels, double
 {
     if (!zr_view_has_masks(&scene->views[0])) return 0.0;
     return 3.0 / 8.0 * fmin(0.1 * fragments, pixels * (double)scene->instance_count);
+}
+
+/* Bytes of the cells in which lines of the mesh are found: at least one face is in a cell that faces cover. */
+static double bytes_of_cells(const struct zr_view *view, double pixels, double fragments)
+{
+    const double cells = fine_pixels((double)view->width, (double)view->height) / CELL_PIXELS;
+    return cells * (pixels * CELL_BYTES + fmin(fragments, pixels) * (double)sizeof(struct zr_cell_entry));
 }
 
 static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept, double fragments)
@@ -169,7 +185,7 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
     sum += pixels * LINEAR_BYTES + bytes_of_lamp_maps(passes->lamp_maps);
     if (picture->occlusion.is_on) sum += (GBUFFER_ARRAYS + OCCLUSION_ARRAYS) * bytes_of_words(pixels);
     if (draws_lines(picture))
-        sum += pixels * (WORD_BYTES + CELL_BYTES / CELL_PIXELS);
+        sum += pixels * WORD_BYTES + bytes_of_cells(view, pixels, fragments);
     else if (picture->edges.is_on)
         sum += pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
     return sum;
@@ -336,10 +352,11 @@ static void count_trace(const struct zr_cost_sample *sample, double *counts)
 static void count_line_pairs(const struct zr_cost_sample *sample, double times, double *counts)
 {
     const double faces = sample->faces * sample->scale, window = sample->width * sample->height;
-    const double cells = fmin(0.5 * sample->scale * sample->fragments, window) / CELL_PIXELS + 1.0;
+    const double per_cell = CELL_PIXELS / fine_pixels(sample->width, sample->height);
+    const double cells = fmin(0.5 * sample->scale * sample->fragments, window) / per_cell + 1.0;
     const double pixels = sample->fragments / fmax(sample->faces, 1.0);
     counts[ZR_COST_DRAWN_PAIR] = times * square(faces) / cells;
-    counts[ZR_COST_DRAWN_CROSSING] = times * crossing_pairs(sample) * square(1.0 + sqrt(pixels / CELL_PIXELS));
+    counts[ZR_COST_DRAWN_CROSSING] = times * crossing_pairs(sample) * square(1.0 + sqrt(pixels / per_cell));
 }
 
 static void count_fragments(const struct zr_cost_sample *sample, const struct passes *passes, double *counts)
@@ -368,7 +385,8 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
     counts[ZR_COST_MAP_FRAGMENT] = passes->map_texels * scale * sample->fragments / pixels;
     if (scene->algorithm == ZR_ALGORITHM_PAINTER) count_painter(sample, drawn, counts);
-    counts[ZR_COST_DRAWN_PIXEL] = line_times(scene, passes) * scale * sample->fragments;
+    counts[ZR_COST_DRAWN_PIXEL] =
+        line_times(scene, passes) * fine_pixels(sample->width, sample->height) * scale * sample->fragments;
     count_line_pairs(sample, line_times(scene, passes), counts);
     if (!zr_view_has_pixels(&scene->views[0], ZR_CHANNEL_COLOR)) return;
     /* Shading runs once per covered sample, and once per translucent fragment. */

@@ -42,7 +42,7 @@
     ROW(EDGE_SAMPLE, 0.1, "samples with edges")                                                                        \
     ROW(EDGE_WIDTH_SAMPLE, 0.02, "samples times the width of edges")                                                   \
     ROW(DRAWN_TRIANGLE, 1000.0, "triangles whose lines are found")                                                     \
-    ROW(DRAWN_PIXEL, 4.0, "pixels of faces in which lines are found, hidden ones too")                                 \
+    ROW(DRAWN_PIXEL, 4.0, "fine pixels of faces in which lines are found, hidden ones too")                            \
     ROW(DRAWN_PAIR, 0.35, "pairs of triangles within 8 x 8 pixels, for lines of the mesh")                             \
     ROW(FRAME_OBJECT, 500.0, "objects of the file that frames read again")                                             \
     ROW(CUT_PIXEL, 8.0, "pixels that the painter compares for faces that cut one another")                             \

@@ -225,13 +225,19 @@ static bool sum_counts(const struct binning *b, uint32_t *firsts)
     return sum <= UINT32_MAX;
 }
 
+/* Returns the cells over a side of the window. */
+static uint32_t cells_over(double pixels)
+{
+    return ((uint32_t)ceil(pixels) + 2 * ZR_WINDOW_MARGIN) / ZR_CELL_PIXELS + 1;
+}
+
 enum zr_status zr_cells_make(const struct zr_run *run, const struct zr_window_mesh *mesh, struct zr_cells *out)
 {
     const uint32_t hiders = mesh->triangle_count + mesh->cut_count, chunks = hiders / HIDERS_PER_CHUNK + 1;
     struct binning b = {.mesh = mesh,
                         .cancel = run->cancel,
-                        .columns = (mesh->view.width + 2 * ZR_WINDOW_MARGIN) / ZR_CELL_PIXELS + 1,
-                        .rows = (mesh->view.height + 2 * ZR_WINDOW_MARGIN) / ZR_CELL_PIXELS + 1,
+                        .columns = cells_over(mesh->view.width),
+                        .rows = cells_over(mesh->view.height),
                         .hider_count = hiders,
                         .chunk_count = chunks < CHUNKS_MOST ? chunks : CHUNKS_MOST};
     const size_t cells = (size_t)b.columns * b.rows;

@@ -1,9 +1,10 @@
 /* chains.h - lines: keeps the creases that form lines, by hysteresis.
  *
- * Space:  lengths in pixels of the window; turns in eye space.
+ * Space:  lengths in fine pixels (window_view.h); turns in eye space.
  * How:    creases are linked at vertices, the straightest pair first, if they turn by at most 50 degrees and are both
- *         convex or both concave. A chain stays if it has a long crease, a strong crease and 12 pixels, or 36 pixels. Strong chains of
- *         one or two edges stay as well if both ends touch a border or a crease that stays; up to 8 rounds.
+ *         convex or both concave. A chain stays if it has a long crease, a strong crease and 12 pixels, or 72 pixels.
+ *         Strong chains of one or two edges stay as well if both ends touch a border or a crease that stays; up to 8
+ *         rounds.
  * Exact:  the same for any number of threads. */
 #ifndef ZR_CHAINS_H
 #define ZR_CHAINS_H
@@ -12,7 +13,7 @@
 
 enum {
     ZR_CHAIN_STRONG_PIXELS = 12,
-    ZR_CHAIN_WEAK_PIXELS = 36,
+    ZR_CHAIN_WEAK_PIXELS = 72,
     ZR_CHAIN_LINKS_MOST = 32 /* creases at a vertex; if there are more, none of them are linked */
 };
 

@@ -1,10 +1,9 @@
 #include "lines/drawing.h"
 
-#include <math.h>
-
 #include "base/cancel.h"
 #include "base/run.h"
 #include "lines/chains.h"
+#include "lines/coincident.h"
 #include "lines/contour_steps.h"
 #include "lines/intersections.h"
 #include "mesh/mesh_tables.h"
@@ -37,25 +36,35 @@ static enum zr_status make_tables(const struct making *m, struct zr_edge_mesh **
     return status;
 }
 
-static double diagonal_of(const struct zr_bounds *bounds)
-{
-    const double x = (double)bounds->max.x - (double)bounds->min.x, y = (double)bounds->max.y - (double)bounds->min.y,
-                 z = (double)bounds->max.z - (double)bounds->min.z;
-    return bounds->valid ? sqrt((x * x + y * y) + z * z) : 0.0;
-}
-
 static enum zr_status find_features(const struct making *m, const struct zr_window_mesh *mesh, uint8_t **features)
 {
     struct zr_feature_rule rule = m->desc->rule;
-    rule.long_edge = LONG_SHARE * diagonal_of(m->desc->bounds);
+    rule.long_edge = LONG_SHARE * mesh->view.diagonal;
     *features = zr_features_find(m->run, mesh, &rule);
     return zr_is_cancelled(m->run->cancel) ? ZR_CANCELLED : *features ? ZR_OK : ZR_NO_MEMORY;
+}
+
+static struct zr_window_view fine_view_of(const struct zr_drawing_desc *desc)
+{
+    const struct zr_window_view view = zr_window_view_make(desc->camera, desc->bounds, desc->width, desc->height);
+    return zr_window_view_refine(desc->camera, desc->bounds, &view);
+}
+
+/* Moves the points from the window in which they were found to that of the description. */
+static void scale_points(const struct zr_drawing_desc *desc, const struct zr_window_view *view,
+                         struct zr_polylines *lines)
+{
+    const double x = (double)desc->width / view->width, y = (double)desc->height / view->height;
+    for (uint32_t i = 0; i < lines->point_count; i++) {
+        lines->points[i][0] *= x;
+        lines->points[i][1] *= y;
+    }
 }
 
 enum zr_status zr_drawing_make(const struct zr_run *run, const struct zr_drawing_desc *desc, struct zr_drawing *out)
 {
     const struct making m = {run, desc};
-    const struct zr_window_view view = zr_window_view_make(desc->camera, desc->bounds, desc->width, desc->height);
+    const struct zr_window_view view = fine_view_of(desc);
     struct zr_edge_mesh *tables = NULL;
     uint8_t *features = NULL;
     struct zr_cells cells;
@@ -73,6 +82,8 @@ enum zr_status zr_drawing_make(const struct zr_run *run, const struct zr_drawing
     STAGE(zr_hidden_parts_find(run, &out->mesh, &cells, &out->lines, &hidden));
     STAGE(zr_line_pieces_make(run, &out->mesh, &cells, &out->lines, &hidden, desc->has_hidden, &pieces));
     STAGE(zr_contour_steps_apply(run->arena, run->cancel, &cells, &pieces));
+    STAGE(zr_coincident_join(run->arena, run->cancel, &pieces));
     STAGE(zr_polylines_make(run->arena, run->cancel, &pieces, &out->polylines));
+    if (status == ZR_OK) scale_points(desc, &view, &out->polylines);
     return status;
 }

@@ -11,7 +11,8 @@
  *     hidden_parts.h      exact visibility
  *     line_pieces.h       visible and hidden pieces, seams
  *     contour_steps.h     contours that nothing lies behind
- *     polylines.h         joined lines
+ *     coincident.h        hidden pieces that coincide
+ *     polylines.h         joined lines, from here on in the window of the description
  *     strokes.h           ink
  */
 #ifndef ZR_DRAWING_H
@@ -32,8 +33,8 @@ struct zr_drawing_desc {
 
 /* A drawing before strokes. */
 struct zr_drawing {
-    struct zr_window_mesh mesh;
-    struct zr_lines lines;
+    struct zr_window_mesh mesh; /* in the fine window (window_view.h) */
+    struct zr_lines lines;      /* likewise */
     struct zr_polylines polylines;
 };
 

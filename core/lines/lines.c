@@ -26,7 +26,7 @@ static bool keep_part(double from, double to, double part[2])
 
 bool zr_line_cut(const struct zr_window_view *view, struct zr_window_point ends[2])
 {
-    const double margin = ZR_WINDOW_MARGIN, right = (double)view->width + margin, top = (double)view->height + margin;
+    const double margin = ZR_WINDOW_MARGIN, right = view->width + margin, top = view->height + margin;
     const struct zr_window_point a = ends[0], b = ends[1];
     double part[2] = {0.0, 1.0};
     if (!keep_part(a.x + margin, b.x + margin, part) || !keep_part(right - a.x, right - b.x, part) ||

@@ -1,7 +1,7 @@
 /* smooth_normal.h - lines: the normal of a small triangle, averaged with those around it.
  *
  * Space:  eye space.
- * Why:    scans have noise: each triangle of a few pixels has creases around it. Large triangles, as of CAD parts and
+ * Why:    scans have noise: each triangle of a few fine pixels (window_view.h) has creases around it. Large triangles, as of CAD parts and
  *         cars, keep their normals, or lines of car bodies would be lost.
  * How:    a triangle with the trait ZR_TRIANGLE_SMALL, times its area, adds its small neighbours n across an edge of
  *         two triangles, times their areas and max(0, (cosine - 0.6) / 0.4), in two rounds.

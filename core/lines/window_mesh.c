@@ -141,8 +141,8 @@ static struct box box_of(const struct zr_window_point *points, const uint32_t co
 static bool is_in_window(const struct making *m, const struct box *box)
 {
     const double margin = ZR_WINDOW_MARGIN;
-    return box->high_x >= -margin && box->low_x <= (double)m->mesh->view.width + margin && box->high_y >= -margin &&
-           box->low_y <= (double)m->mesh->view.height + margin;
+    return box->high_x >= -margin && box->low_x <= m->mesh->view.width + margin && box->high_y >= -margin &&
+           box->low_y <= m->mesh->view.height + margin;
 }
 
 /* Turns the corners counter-clockwise in the window, and sets the traits that follow from their places. */

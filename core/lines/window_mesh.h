@@ -30,7 +30,7 @@ enum {
     ZR_TRIANGLE_SMALL = 8   /* smaller than ZR_SMALL_PIXELS in both directions */
 };
 
-enum { ZR_SMALL_PIXELS = 6, ZR_WINDOW_MARGIN = 8 /* pixels around the window, where lines are found as well */ };
+enum { ZR_SMALL_PIXELS = 20, ZR_WINDOW_MARGIN = 64 /* pixels around the window, where lines are found as well */ };
 
 struct zr_window_mesh {
     struct zr_window_view view;

@@ -332,8 +332,8 @@ TEST(short_and_weak_creases_need_length)
 {
     assert_int_equal(creases_of_bend(13.0, 60), 1);
     assert_int_equal(creases_of_bend(13.0, 40), 0);
-    assert_int_equal(creases_of_bend(37.0, 40), 1);
-    assert_int_equal(creases_of_bend(35.0, 40), 0);
+    assert_int_equal(creases_of_bend(73.0, 40), 1);
+    assert_int_equal(creases_of_bend(71.0, 40), 0);
 }
 
 RUN_TESTS(open_arena, close_arena)

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "base/run.h"
+#include "lines/coincident.h"
 #include "lines/contour_steps.h"
 #include "lines/drawing.h"
 #include "lines/ink.h"
@@ -155,6 +156,72 @@ TEST(classes_follow_kinds_and_the_background)
     assert_int_equal(lines.at[0].class, ZR_STROKE_INNER);
     assert_int_equal(lines.at[1].class, ZR_STROKE_OUTLINE);
     assert_int_equal(lines.at[2].class, ZR_STROKE_HIDDEN);
+}
+
+/* Joins coincident pieces, and writes the lines that are left along y = 10: "10-90 " and so on. */
+static const char *coincident(struct zr_line_piece *at, uint32_t count, uint32_t hidden)
+{
+    static char text[256];
+    struct zr_line_pieces pieces = {.count = count, .at = zr_arena_copy(&arena, at, count * sizeof *at)};
+    for (uint32_t i = 0; i < hidden; i++)
+        pieces.at[i].is_hidden = true;
+    assert_int_equal(zr_coincident_join(&arena, NULL, &pieces), ZR_OK);
+    const struct zr_polylines lines = join(pieces.at, pieces.count);
+    text[0] = 0;
+    for (uint32_t i = 0; i < lines.count; i++) {
+        const double *from = lines.points[lines.at[i].first], *to = lines.points[lines.at[i].first + 1];
+        if (lines.at[i].class != ZR_STROKE_HIDDEN) continue;
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%.0f-%.0f ", fmin(from[0], to[0]),
+                 fmax(from[0], to[0]));
+    }
+    return text;
+}
+
+TEST(hidden_pieces_that_coincide_become_one)
+{
+    struct zr_line_piece inside[] = {piece(20, 10, 60, 10, ZR_LINE_CREASE), piece(90, 10, 10, 10, ZR_LINE_CREASE)},
+                         beyond[] = {piece(50, 10, 10, 10, ZR_LINE_CREASE), piece(30, 10.02, 90, 10.02, ZR_LINE_BORDER),
+                                     piece(85, 10, 95, 10, ZR_LINE_CREASE)},
+                         beside[] = {piece(10, 10, 50, 10, ZR_LINE_CREASE), piece(30, 10.1, 90, 10.1, ZR_LINE_CREASE)},
+                         turned[] = {piece(10, 10, 50, 10, ZR_LINE_CREASE), piece(11, 9, 49, 11, ZR_LINE_CREASE)};
+    assert_string_equal(coincident(inside, 2, 2), "10-90 ");
+    assert_string_equal(coincident(beyond, 3, 3), "10-95 ");
+    assert_string_equal(coincident(beside, 2, 2), "10-50 30-90 ");
+    assert_string_equal(coincident(turned, 2, 2), "10-50 11-49 ");
+}
+
+TEST(visible_pieces_win_over_hidden_ones)
+{
+    struct zr_line_piece cut[] = {piece(10, 10, 90, 10, ZR_LINE_CREASE), piece(40, 10, 60, 10, ZR_LINE_CREASE)},
+                         covered[] = {piece(20, 10, 60, 10, ZR_LINE_CREASE), piece(10, 10, 90, 10, ZR_LINE_BORDER)},
+                         behind[] = {piece(20, 10, 60, 10, ZR_LINE_CREASE), piece(60, 10, 90, 10, ZR_LINE_BORDER)};
+    assert_string_equal(coincident(cut, 2, 1), "10-40 60-90 ");
+    assert_string_equal(coincident(covered, 2, 1), "");
+    assert_string_equal(coincident(behind, 2, 1), "20-60 ");
+}
+
+/* Pieces along lines at all angles, each of which is there three times, in different pieces. */
+TEST(coincident_lines_at_any_angle_are_drawn_once)
+{
+    struct random numbers = random_seeded(4);
+    for (int round = 0; round < 200; round++) {
+        const double angle = random_range(&numbers, -3.2, 3.2), x = random_range(&numbers, 0, 2000),
+                     y = random_range(&numbers, 0, 2000), dx = cos(angle), dy = sin(angle);
+        const double ends[3][2] = {{0, 40}, {30, 100}, {20, 60}};
+        struct zr_line_piece pieces[3];
+        for (int i = 0; i < 3; i++) {
+            const double *e = ends[i];
+            pieces[i] =
+                piece(x + dx * e[i & 1], y + dy * e[i & 1], x + dx * e[!(i & 1)], y + dy * e[!(i & 1)], ZR_LINE_CREASE);
+            pieces[i].is_hidden = true;
+        }
+        struct zr_line_pieces all = {.count = 3, .at = zr_arena_copy(&arena, pieces, sizeof pieces)};
+        assert_int_equal(zr_coincident_join(&arena, NULL, &all), ZR_OK);
+        const struct zr_polylines lines = join(all.at, all.count);
+        assert_int_equal(lines.count, 1);
+        const double *from = lines.points[0], *to = lines.points[1];
+        assert_true(fabs(hypot(to[0] - from[0], to[1] - from[1]) - 100.0) < 1e-9);
+    }
 }
 
 TEST(free_specks_go)
@@ -462,9 +529,9 @@ TEST(a_full_arena_is_told)
                                          .width = 64,
                                          .height = 64,
                                          .rule = {.crease_degrees = 30}};
-    static _Alignas(ZR_ARENA_ALIGN) char room[1 << 18];
+    static _Alignas(ZR_ARENA_ALIGN) char room[1 << 22];
     uint32_t made = 0;
-    for (size_t size = 1 << 10; size <= sizeof room; size += 1 << 10) {
+    for (size_t size = 1 << 10; size <= sizeof room; size += 1 << 14) {
         struct zr_arena small;
         struct zr_drawing drawing;
         zr_arena_init_within(&small, room, size);

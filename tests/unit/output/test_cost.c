@@ -15,6 +15,9 @@ static const zr_vec4 half[] = {{-1, -1, 0, 1}, {0, -1, 0, 1}, {0, 1, 0, 1},
                                {-1, -1, 0, 1}, {0, 1, 0, 1},  {-1, 1, 0, 1}};
 static struct test_scene test;
 
+/* Pixels of the fine window of lines/window_view.h. */
+#define FINE_PIXELS (PIXELS * 2048.0 * 2048.0 / (WIDTH * WIDTH + HEIGHT * HEIGHT))
+
 /* A square over half of the window, whose colours are the only output. */
 static void half_a_window(void)
 {
@@ -146,7 +149,7 @@ TEST(lines_of_the_mesh_are_counted)
     test.picture.edges.is_from_mesh = true;
     const struct zr_cost of_mesh = scene_cost(&test.scene);
     assert_near(of_mesh.counts[ZR_COST_DRAWN_TRIANGLE], of_mesh.counts[ZR_COST_NORMAL]);
-    assert_near(of_mesh.counts[ZR_COST_DRAWN_PIXEL], PIXELS / 2);
+    assert_near(of_mesh.counts[ZR_COST_DRAWN_PIXEL], FINE_PIXELS / 2);
     assert_true(of_mesh.counts[ZR_COST_EDGE_SAMPLE] == 0 && of_mesh.counts[ZR_COST_EDGE_WIDTH_SAMPLE] == 0);
     assert_true(of_mesh.window_bytes < of_samples.window_bytes);
 }
@@ -156,7 +159,7 @@ TEST(triangles_of_one_cell_are_counted_in_pairs)
     half_a_window();
     test.picture.is_linear = true;
     test.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
-    assert_near(count(ZR_COST_DRAWN_PAIR), 4 / (PIXELS / 4 / 64.0 + 1));
+    assert_near(count(ZR_COST_DRAWN_PAIR), 4 / (FINE_PIXELS / 4 / 64.0 + 1));
     test.picture.edges.is_from_mesh = false;
     assert_true(count(ZR_COST_DRAWN_PAIR) == 0);
 }
@@ -172,12 +175,12 @@ TEST(a_file_of_lines_is_counted_without_samples)
     test.scene.views[0].outputs = outputs;
     const struct zr_cost of_file = scene_cost(&test.scene);
     assert_near(of_file.counts[ZR_COST_DRAWN_TRIANGLE], 2);
-    assert_near(of_file.counts[ZR_COST_DRAWN_PIXEL], PIXELS / 2);
+    assert_near(of_file.counts[ZR_COST_DRAWN_PIXEL], FINE_PIXELS / 2);
     assert_true(of_file.counts[ZR_COST_WINDOW_SAMPLE] == 0 && of_file.counts[ZR_COST_PNG_PIXEL] == 0);
     test.scene.views[0].output_count = 2;
     const struct zr_cost of_both = scene_cost(&test.scene);
     assert_near(of_both.counts[ZR_COST_DRAWN_TRIANGLE], 4);
-    assert_near(of_both.counts[ZR_COST_DRAWN_PIXEL], PIXELS);
+    assert_near(of_both.counts[ZR_COST_DRAWN_PIXEL], FINE_PIXELS);
     assert_near(of_both.counts[ZR_COST_WINDOW_SAMPLE], 16 * PIXELS);
 }
 
@@ -449,10 +452,11 @@ TEST(the_painters_work_is_foretold_within_ten_times)
     }
 }
 
-/* Returns the number of cells of the box that two triangles have in common. */
+/* Returns the number of cells of the box that two triangles have in common, in the fine window. */
 static double common_cells(const struct zr_window_point *const a[3], const struct zr_window_point *const b[3])
 {
-    double low[2] = {0, 0}, high[2] = {CUTS_WIDTH, CUTS_HEIGHT};
+    const double fine = 2048.0 / hypot(CUTS_WIDTH, CUTS_HEIGHT);
+    double low[2] = {0, 0}, high[2] = {fine * CUTS_WIDTH, fine * CUTS_HEIGHT};
     for (int which = 0; which < 2; which++)
         for (int axis = 0; axis < 2; axis++) {
             double least = HUGE_VAL, most = -HUGE_VAL;
@@ -471,11 +475,12 @@ static double common_cells(const struct zr_window_point *const a[3], const struc
 static double count_crossings(uint32_t count)
 {
     static struct zr_window_point points[CUTS_MAX * 3];
+    const double half_fine = 1024.0 / hypot(CUTS_WIDTH, CUTS_HEIGHT);
     double sum = 0;
     for (uint32_t i = 0; i < 3 * count; i++)
-        points[i] = (struct zr_window_point){0.5 * CUTS_WIDTH * (1 + (double)crossing[i].x),
-                                             0.5 * CUTS_HEIGHT * (1 + (double)crossing[i].y),
-                                             0.5 * CUTS_WIDTH * (1 + (double)crossing[i].z)};
+        points[i] = (struct zr_window_point){half_fine * CUTS_WIDTH * (1 + (double)crossing[i].x),
+                                             half_fine * CUTS_HEIGHT * (1 + (double)crossing[i].y),
+                                             half_fine * CUTS_WIDTH * (1 + (double)crossing[i].z)};
     for (uint32_t i = 0; i < count; i++)
         for (uint32_t k = 0; k < i; k++) {
             const struct zr_window_point *const a[3] = {&points[3 * i], &points[3 * i + 1], &points[3 * i + 2]};
