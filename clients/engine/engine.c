@@ -11,9 +11,17 @@
 
 /* ---- opening ---- */
 
+/* More than the default, since scenes of games have tens of textures of 2048 x 2048, and nobody else waits for memory.
+ * A texel takes 4 bytes, and a third more for smaller levels. */
+#define IMAGE_PIXELS_MAX ((uint64_t)1 << 28)
+#define MEMORY_MAX       ((size_t)3 << 30)
+
 int engine_open(struct engine *engine, const struct options *options, unsigned threads)
 {
-    struct zraster_options wanted = {.struct_size = sizeof wanted, .threads = threads};
+    struct zraster_options wanted = {.struct_size = sizeof wanted,
+                                     .memory_max = MEMORY_MAX,
+                                     .threads = threads,
+                                     .image_pixels_max = IMAGE_PIXELS_MAX};
     *engine = (struct engine){.server = options->own[OPTION_SERVER]};
     interruption_catch();
     if (engine->server)

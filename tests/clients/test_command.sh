@@ -34,6 +34,12 @@ check "-v reports the output" 0 "$zraster" part.stl -s 64x48 -v
 verdict "in one line" grep -qE '^part.png  64x48  studio  [0-9]+ ms' "$complained"
 cmp -s part.png piped.png
 verdict "with the bytes of the pipe" [ $? = 0 ]
+printf 'newmtl m\nmap_Kd big.png\n' >big.mtl # its head alone: 8192 x 8200 texels
+printf 'mtllib big.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n' >big.obj
+printf '\211PNG\015\012\032\012\000\000\000\015IHDR\000\000\040\000\000\000\040\010\001\000\000\000\000\266\202\165\231' >big.png
+"$zraster" big.obj -s 8 2>"$complained"
+verdict "images may have more texels than the daemon's default" grep -q 'big.png.*it ends too early' "$complained"
+rm big.*
 ls >"$work/before"
 check "an output goes to a folder" 0 "$zraster" part.stl -o new/ -s 8
 verdict "which is made" is_png new/part.png
