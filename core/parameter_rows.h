@@ -31,6 +31,16 @@
         "pictures; false: only facts, by the channel info; nothing is drawn (default: true)")                          \
     ROW(visibility, "/visibility", ANY, BOOL,                                                                          \
         "pixels of each instance, drawn alone and visible, by the channels info and masks (default: false)")           \
+    ROW(views, "/views", ANY, PRESETS, "several views: names of presets with commas between them")                    \
+    ROW(turntable, "/turntable/frames", ANY, WHOLE, "several views: their number, from around the scene")              \
+    ROW(turntableElevation, "/turntable/elevation", ANY, DEGREES,                                                     \
+        "angle of the camera above the horizon (default: the look's)")                                                 \
+    ROW(turntableSeconds, "/turntable/seconds", ANY, SECONDS, "time of one turn in an animation (default: 4)")        \
+    ROW(orbit, "/orbit/count", ANY, WHOLE, "several views: their number, from all directions")                        \
+    ROW(orbitDistance, "/orbit/distance", ANY, UNITS, "distance from the cameras to the middle (default: fitted)")      \
+    ROW(sheet, "/sheet/layout", ANY, NAME,                                                                            \
+        "one picture of several views: threeView, balanced, or views with the parameter views")                        \
+    ROW(sheetColumns, "/sheet/columns", ANY, WHOLE, "views in a row of the sheet")                                    \
     ROW(look, "/look", MESH, NAME, "; NAME@VERSION pins a version (default: studio)")                                  \
     ROW(samples, "/samples", MESH, COUNT, "samples per pixel: 1, 4, 16 or 64 (default: the look's)")                   \
     ROW(width, "/window/width", MESH, SIDE, "width of the window (default: 640)")                                      \
@@ -45,16 +55,6 @@
     ROW(padding, "/view/fit/padding", MESH, NUMBER, "share of the window left free on each side, 0 to 0.45")           \
     ROW(up, "/query/up", MESH, AXIS,                                                                                   \
         "axis of the mesh that points up: x, -x, y, -y, z, -z or auto (default: z for STL and 3MF, else y)")           \
-    ROW(views, "/views", MESH, PRESETS, "several views: names of presets with commas between them")                    \
-    ROW(turntable, "/turntable/frames", MESH, WHOLE, "several views: their number, from around the mesh")              \
-    ROW(turntableElevation, "/turntable/elevation", MESH, DEGREES,                                                     \
-        "angle of the camera above the horizon (default: the look's)")                                                 \
-    ROW(turntableSeconds, "/turntable/seconds", MESH, SECONDS, "time of one turn in an animation (default: 4)")        \
-    ROW(orbit, "/orbit/count", MESH, WHOLE, "several views: their number, from all directions")                        \
-    ROW(orbitDistance, "/orbit/distance", MESH, UNITS, "distance from the cameras to the mesh (default: fitted)")      \
-    ROW(sheet, "/sheet/layout", MESH, NAME,                                                                            \
-        "one picture of several views: threeView, balanced, or views with the parameter views")                        \
-    ROW(sheetColumns, "/sheet/columns", MESH, WHOLE, "views in a row of the sheet")                                    \
     ROW(camera, "/query/camera", MESH, NAME,                                                                           \
         "camera of a glTF file, by its name or number, instead of the look's view")                                    \
     ROW(animation, "/query/animation", MESH, NAME,                                                                     \

@@ -201,15 +201,28 @@ static enum zr_status join(zraster_picture *picture, struct zr_error *error)
     return status;
 }
 
+static bool is_file_of(const char *file, const char *channel)
+{
+    const size_t length = strlen(channel);
+    return strncmp(file, channel, length) == 0 && file[length] == '.';
+}
+
+/* True for the channel of "top.color.png", the only file of several views. */
+static bool is_only_file_of(const zraster_picture *picture, const char *channel)
+{
+    const char *at = picture->files.count == 1 ? strchr(picture->files.entries->name, '.') : NULL;
+    while (at && !is_file_of(at + 1, channel))
+        at = strchr(at + 1, '.');
+    return at;
+}
+
 /* Finds the file of "depth" or "depth.npy". */
 static enum zr_status find_file(const zraster_picture *picture, const char *name, struct zraster_bytes *bytes,
                                 struct zr_error *error)
 {
     for (uint32_t i = 0; i < picture->files.count; i++) {
         const struct zr_zip_entry *entry = &picture->files.entries[i];
-        const size_t length = strlen(name);
-        const bool is_channel = strncmp(entry->name, name, length) == 0 && entry->name[length] == '.';
-        if (!is_channel && strcmp(entry->name, name) != 0) continue;
+        if (!is_file_of(entry->name, name) && strcmp(entry->name, name) != 0 && !is_only_file_of(picture, name)) continue;
         *bytes = (struct zraster_bytes){entry->bytes, entry->size, picture->files.types[i]};
         return ZR_OK;
     }

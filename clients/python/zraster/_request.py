@@ -56,6 +56,7 @@ class Call:
         return c.Handle(made.value, free)
 
 
+OF_OUTPUTS = {"render", "visibility"}  # parameters that are checked with the outputs
 SEVERAL = {"views", "turntable", "orbit", "animate", "frames", "sheet"}  # keys and parameters
 
 
@@ -126,8 +127,11 @@ class Request:
     def draw(self, renderer: Renderer, cancel: Optional[Cancel]) -> Picture:
         if self.keys and not SEVERAL.isdisjoint([*self.keys, *self.query]):
             return self.merged({}, self.keys).draw(renderer, cancel)
-        if self.keys:
-            return draw_change(self.read_scene(renderer), self.keys, {}, cancel)
+        if self.keys:  # some of which the parameters of outputs need
+            late = {name: value for name, value in self.query.items() if name in OF_OUTPUTS}
+            first = copy.copy(self)
+            first.query = {name: value for name, value in self.query.items() if name not in late}
+            return draw_change(first.read_scene(renderer), self.keys, late, cancel)
         call = Call(self.body, self.type, self.query, self.parts, cancel)
         return Picture(Drawn(call.run(c.library.draw, renderer._handle, c.library.picture_free)))
 

@@ -162,8 +162,11 @@ class _Calls:
     def mesh(self, request: Request, query: Dict[str, str], keys: Dict[str, Any]) -> Picture:
         outputs = keys.pop("outputs", None)
         pictures = []
-        for output in outputs or [{}]:
-            asked = {**query, **(outputs_query([output]) if output else {})}
+        lists = [[output] for output in outputs or [{}]]
+        if outputs and all(output.keys() <= {"channel", "x", "y"} for output in outputs):
+            lists = [outputs]  # one answer, as of a call without a server: info tells of the picture
+        for listed in lists:
+            asked = {**query, **(outputs_query(listed) if outputs else {})}
             data, type_, look, warnings = self.post(request.body, _media_type(request.type), request.parts, asked)
             pictures.append(from_answer(data, type_, asked.get("channel", "color"), look, warnings))
         return pictures[0] if len(pictures) == 1 else joined(pictures)

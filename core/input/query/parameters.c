@@ -346,7 +346,10 @@ static void open_query(const struct zr_request *request, const struct zr_limits 
                                .compress = ZR_UNSET,
                                .projection = ZR_UNSET,
                                .up = ZR_UNSET};
-    if (format->has_view) return;
+    if (format->has_view) {
+        builder->asked = &query->others;
+        return;
+    }
     given->scene->has_open_look = true; /* until a look with a version is read */
     /* A key of the query's view overrides that key of the look's view. */
     given->look = request->look ? zr_look_find(request->look) : NULL;

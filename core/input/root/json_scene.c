@@ -77,6 +77,15 @@ static bool save(struct zr_parsed_scene *root)
     return (keeping->if_views && !root->scene->view_set) || zr_kept_save(keeping->into, root);
 }
 
+/* Views and the sheet of the query override those of the text. A sheet that chooses its own views drops the text's. */
+static void use_asked_views(struct zr_scene *scene, const struct zr_scene *asked)
+{
+    if (!asked) return;
+    if (asked->view_set || (asked->sheet.is_on && asked->sheet.layout != ZR_SHEET_VIEWS))
+        scene->view_set = asked->view_set;
+    if (asked->sheet.is_on) scene->sheet = asked->sheet;
+}
+
 /* Checks the depth of the whole text. */
 static bool is_shallow(struct zr_json *json)
 {
@@ -111,7 +120,8 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
     if (!root.assets.uses || !root.picture) return zr_json_close(json);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
     if (keeping && keeping->from && !zr_kept_load(keeping->from, &root)) return ZR_NO_MEMORY;
-    if (zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.keys) && zr_json_end(json) && save(&root))
-        build(&root);
+    const bool is_read = zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.keys) && zr_json_end(json);
+    if (is_read) use_asked_views(scene, builder->asked);
+    if (is_read && save(&root)) build(&root);
     return zr_json_close(json);
 }
