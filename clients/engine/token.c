@@ -7,11 +7,13 @@
 
 #include "files/say.h"
 
-/* A token fits into a header line: visible ASCII. */
+/* A token fits into a header line: printable ASCII, without spaces at its ends, which readers of headers cut off. */
 static bool is_token(const char *text)
 {
+    const size_t length = strlen(text);
+    if (length > 0 && (text[0] == ' ' || text[length - 1] == ' ')) return false;
     for (; *text; text++)
-        if (*text <= ' ' || *text > '~') return false;
+        if (*text < ' ' || *text > '~') return false;
     return true;
 }
 
@@ -26,7 +28,7 @@ static bool read_file(struct token *token, const char *path)
     const bool too_long = has_line && strlen(token->text) == TOKEN_SIZE - 1;
     token->text[strcspn(token->text, "\r\n")] = '\0';
     if (*token->text && !too_long && is_token(token->text)) return true;
-    say("the first line of %s is no token: visible ASCII characters, without spaces", path);
+    say("the first line of %s is no token: printable ASCII characters, without spaces at its ends", path);
     return false;
 }
 
@@ -35,7 +37,7 @@ static bool read_variable(struct token *token)
     const char *value = getenv("ZRASTER_TOKEN");
     if (!value) return true;
     if (strlen(value) >= TOKEN_SIZE || !is_token(value)) {
-        say("ZRASTER_TOKEN is no token: visible ASCII characters, without spaces");
+        say("ZRASTER_TOKEN is no token: printable ASCII characters, without spaces at its ends");
         return false;
     }
     strcpy(token->text, value);

@@ -10,6 +10,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "files/say.h"
+#include "files/scene_key.h"
 #include "options/endings.h"
 #include "options/parameters.h"
 #include "options/words.h"
@@ -89,6 +91,16 @@ static bool is_regular(const struct dirent *entry, const char *path)
     return entry->d_type == DT_REG || (stat(path, &about) == 0 && S_ISREG(about.st_mode));
 }
 
+/* Returns true for a file to draw: it has an ending of a format, and is a scene if this is .json. */
+static bool is_input(struct file_list *list, const struct dirent *entry, const char *path)
+{
+    static const struct options no_options;
+    if (!input_has_ending(path) || !is_regular(entry, path)) return false;
+    if (input_kind_of(path, &no_options) != INPUT_SCENE || scene_key_found(path)) return true;
+    if (list->other_count++ == 0) snprintf(list->first_other, sizeof list->first_other, "%s", path);
+    return false;
+}
+
 /* Adds the files below a folder. The first `above` characters of their paths are the folder of the argument. */
 static int add_folder(struct file_list *list, const char *folder, size_t above)
 {
@@ -103,7 +115,7 @@ static int add_folder(struct file_list *list, const char *folder, size_t above)
             status = no_memory();
         else if (is_folder(entries[i], path, &about)) {
             if (!is_output_folder(list, &about)) status = add_folder(list, path, above);
-        } else if (input_has_ending(path) && is_regular(entries[i], path) && !add(list, path, strlen(path) - above))
+        } else if (is_input(list, entries[i], path) && !add(list, path, strlen(path) - above))
             status = no_memory();
         free(path);
         free(entries[i]);
@@ -239,6 +251,9 @@ static int add_argument(struct file_list *list, const char *argument)
         const size_t before = list->file_count;
         const int status = add_folder(list, argument, strlen(argument) + 1);
         if (status != 0 || list->file_count > before) return status;
+        if (list->other_count > 0)
+            return options_wrong("the folder %s has no file to draw: %s is no scene, as it has no meshes or polygons",
+                                 argument, list->first_other);
         return options_wrong("the folder %s has no file ending with one of" OPTIONS_TYPES, argument);
     }
     return add_base(list, argument) ? 0 : no_memory();
@@ -366,5 +381,8 @@ int file_list_make(struct file_list *list, const struct options *options)
     if (status == 0 && options->own[OPTION_LIST]) status = add_list(list, options->own[OPTION_LIST]);
     for (int turn = 0; status == 0 && turn < 2; turn++) /* the second turn compares names with endings */
         status = check_names(list);
+    if (status == 0 && list->other_count > 0 && !options->own[OPTION_QUIET])
+        say("left out: JSON files without meshes or polygons, which are no scenes: %zu; the first is %s", list->other_count,
+            list->first_other);
     return status ? status : make_jobs(list);
 }

@@ -50,12 +50,21 @@ static void warn(struct gate *gate, const char *text, const char *path)
 
 /* ---- lines of the files ---- */
 
+static const char wrong_token[] = "a token has printable ASCII without spaces at its ends";
+
+/* Readers of headers cut spaces at the ends off. */
+static bool is_token(const char *text, size_t length)
+{
+    for (size_t i = 0; i < length; i++)
+        if ((text[i] < PRINTABLE_FIRST || text[i] > PRINTABLE_LAST) && (text[i] != ' ' || i == 0 || i + 1 == length))
+            return false;
+    return true;
+}
+
 static bool add_token(struct gate *gate, struct lines *lines, char *line, struct fault *fault)
 {
     const size_t length = strlen(line);
-    for (const char *c = line; *c; c++)
-        if (*c < PRINTABLE_FIRST || *c > PRINTABLE_LAST)
-            return lines_fault(lines, fault->message, fault->size, "a token has printable ASCII without spaces");
+    if (!is_token(line, length)) return lines_fault(lines, fault->message, fault->size, wrong_token);
     if (length > GATE_TOKEN_MAX)
         return lines_fault(lines, fault->message, fault->size, "a token has at most %d bytes", GATE_TOKEN_MAX);
     if (gate->token_count == GATE_TOKENS_MAX)
@@ -156,6 +165,12 @@ static bool read_secrets(struct gate *gate, const char *path, add_fn *add, struc
 
 static bool read_all(struct gate *gate, const struct config *config, struct fault *fault)
 {
+    const size_t length = strlen(config->token);
+    if (!is_token(config->token, length)) {
+        snprintf(fault->message, fault->size, "--token: %s", wrong_token);
+        return false;
+    }
+    if (length > 0) hash(gate->tokens[gate->token_count++], config->token, length);
     if (!read_secrets(gate, config->token_file, add_token, fault) ||
         !read_secrets(gate, config->keys_file, add_key, fault))
         return false;
@@ -176,7 +191,6 @@ struct gate *gate_read(const struct config *config, char *message, size_t messag
     }
     gate->limits = config_limits(config);
     gate->has_only_presets = strcmp(config->only_presets, "on") == 0;
-    if (*config->token) hash(gate->tokens[gate->token_count++], config->token, strlen(config->token));
     if (read_all(gate, config, &fault)) return gate;
     gate_free(gate);
     return NULL;

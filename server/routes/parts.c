@@ -8,7 +8,7 @@
 
 #include "clock.h"
 
-enum { HEAD_SIZE = 4096 };
+enum { HEAD_SIZE = 4096, OUTPUTS_MAX = 64 /* pairs of channel and encoding */ };
 
 /* Random, since files may have any bytes. */
 static void choose_boundary(char boundary[STREAM_BOUNDARY_SIZE])
@@ -28,7 +28,7 @@ static size_t print_head(char head[HEAD_SIZE], bool is_form, const struct part *
 {
     int used = snprintf(head, HEAD_SIZE, "\r\nContent-Type: %s\r\nContent-Length: %zu\r\n", part->type, part->size);
     if (part->name && is_form) {
-        const char *dot = strrchr(part->name, '.');
+        const char *dot = part->is_twin ? NULL : strrchr(part->name, '.');
         used += snprintf(head + used, HEAD_SIZE - (size_t)used,
                          "Content-Disposition: form-data; name=\"%.*s\"; filename=\"%s\"\r\n",
                          dot ? (int)(dot - part->name) : -1, part->name, part->name);
@@ -39,6 +39,25 @@ static size_t print_head(char head[HEAD_SIZE], bool is_form, const struct part *
     if (*part->warnings)
         used += snprintf(head + used, HEAD_SIZE - (size_t)used, "Zraster-Warnings: %s\r\n", part->warnings);
     return (size_t)(used + snprintf(head + used, HEAD_SIZE - (size_t)used, "\r\n"));
+}
+
+static size_t length_of_stem(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    return dot ? (size_t)(dot - name) : strlen(name);
+}
+
+/* Outputs of one view stand side by side. */
+bool parts_have_twin(const struct zr_files *files, uint32_t number)
+{
+    const uint32_t reach = OUTPUTS_MAX, first = number > reach ? number - reach : 0;
+    const char *name = files->entries[number].name;
+    const size_t length = length_of_stem(name);
+    for (uint32_t i = first; i < files->count && i <= number + reach; i++) {
+        const char *other = files->entries[i].name;
+        if (i != number && length_of_stem(other) == length && memcmp(name, other, length) == 0) return true;
+    }
+    return false;
 }
 
 /* ---- a stream ---- */
@@ -74,7 +93,7 @@ void parts_end(struct stream *stream, const struct answer *problem)
         stream_finish(stream, STREAM_WHOLE);
         return;
     }
-    const struct part part = {NULL, "application/problem+json", "", problem->bytes, problem->size};
+    const struct part part = {NULL, false, "application/problem+json", "", problem->bytes, problem->size};
     if (!problem->is_broken) parts_add(stream, &part);
     stream_finish(stream, STREAM_BROKEN);
 }
@@ -105,7 +124,7 @@ static void put_files(struct pen *pen, bool is_form, const char *boundary, const
     put_delimiter(pen, boundary);
     for (uint32_t i = 0; i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
-        const struct part part = {entry->name, files->types[i], "", entry->bytes, entry->size};
+        const struct part part = {entry->name, parts_have_twin(files, i), files->types[i], "", entry->bytes, entry->size};
         put(pen, head, print_head(head, is_form, &part));
         put(pen, part.bytes, part.size);
         put(pen, "\r\n", 2);

@@ -13,6 +13,7 @@
 
 struct part {
     const char *name; /* of the file; NULL: none. In a form, the field has it without its extension */
+    bool is_twin;     /* the field has the extension, too: another encoding of the channel has the name without it */
     const char *type;
     const char *warnings; /* printable ASCII; "": none */
     const void *bytes;
@@ -21,6 +22,9 @@ struct part {
 
 /* Completes the answer and begins the stream with it. `parts` is not ACCEPT_NO_PARTS. */
 void parts_begin(struct stream *stream, enum accept_parts parts, struct answer *answer);
+
+/* True if another file of this view or picture has the name of file `number` with another extension. */
+bool parts_have_twin(const struct zr_files *files, uint32_t number);
 
 /* False: the stream is closed. */
 bool parts_add(struct stream *stream, const struct part *part);

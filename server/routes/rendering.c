@@ -330,7 +330,7 @@ static enum zr_status send_view(void *context, const struct zr_drawn_view *view,
     for (uint32_t i = 0; i < files->count; i++) {
         const struct zr_zip_entry *entry = &files->entries[i];
         snprintf(file, sizeof file, "%s.%s", view->name, entry->name);
-        const struct part part = {file, files->types[i], warnings, entry->bytes, entry->size};
+        const struct part part = {file, parts_have_twin(files, i), files->types[i], warnings, entry->bytes, entry->size};
         if (!parts_add(stream, &part)) return ZR_CANCELLED;
     }
     stream_flush(stream);

@@ -253,6 +253,18 @@ verdict "all" [ "$(grep -c '"skipped"' "$said")" = 3 ]
 
 # What has no end is refused, or read until a signal.
 mkdir pipes && mkfifo pipes/pipe.obj && ln -s pipe.obj pipes/link.obj && triangle >pipes/part.stl
+mkdir jsons && cp scene.json jsons/ && cp part.stl jsons/
+"$zraster" part.stl -s 8 -c info -o jsons/part.info.json
+printf '{"name": "meshes", "scripts": {"polygons": []}}' >jsons/package.json
+check "a batch leaves out JSON files that are no scenes" 0 "$zraster" batch jsons -o jsons/out -s 8 --json
+verdict "and says how many" grep -q 'left out: JSON files without meshes or polygons, which are no scenes: 2; the first is jsons/package.json' "$complained"
+verdict "but no scene" [ "$(ls jsons/out | tr '\n' ' ')" = "part.png scene.png " ]
+mkdir only && cp jsons/part.info.json only/
+check "a folder of nothing else is refused" 2 "$zraster" batch only
+verdict "with the file" grep -q 'only/part.info.json is no scene' "$complained"
+check "a scene makes a sheet, views and a turntable" 0 "$zraster" sheet scene.json -o scene-sheet.png
+"$zraster" views scene.json -o sides/ --views top,front && "$zraster" turntable scene.json -o scene.gif --turntable 2
+verdict "with its files" [ "$(ls sides | tr '\n' ' ')" = "scene.front.png scene.top.png " -a "$(head -c 6 scene.gif)" = GIF89a ]
 check "a folder's pipes are no files" 0 timeout 20 "$zraster" batch pipes -o piped -s 8 --json
 verdict "its other files are drawn" [ "$(wc -l <"$said")" = 1 ]
 check "a device is refused" 1 timeout 20 "$zraster" /dev/zero -o x.png
@@ -387,6 +399,22 @@ verdict "to draw it" grep -q '"status":"done"' "$said"
 rm plain.json
 
 # watch
+printf 'mtllib paint.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >painted.obj
+printf 'newmtl red\nKd 1 0 0\n' >paint.mtl
+"$zraster" watch painted.obj -o painted.png -s 16 2>"$complained" &
+watcher=$!
+verdict "a file with a library is drawn" within 5 [ -s painted.png ]
+rm -f painted.png
+sleep 0.3
+verdict "but not without a change" [ ! -e painted.png ]
+printf 'newmtl red\nKd 0 0 1\n' >paint.mtl
+verdict "and again when the library changes" within 5 [ -s painted.png ]
+rm -f painted.png paint.mtl
+sleep 0.3
+printf 'newmtl red\nKd 0 1 0\n' >paint.mtl
+verdict "or is written anew" within 5 [ -s painted.png ]
+kill -INT $watcher
+wait $watcher
 cp part.stl live.stl
 "$zraster" watch live.stl -o live.png -s 16 2>"$complained" &
 watcher=$!

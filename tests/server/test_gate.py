@@ -79,7 +79,7 @@ class Reload(unittest.TestCase):
         server = Daemon({"token-file": "secret\n"})
         self.addCleanup(server.stop)
         path = server.path("token-file")
-        for text, fault in (("other\nse cret\n", f"{path}:2: a token has printable ASCII without spaces"),
+        for text, fault in (("other\nse\tcret\n", f"{path}:2: a token has printable ASCII without spaces at its ends"),
                             ("", f"{path}: the file has no entry"), (None, f"{path}: No such file or directory")):
             if text is None:
                 os.unlink(path)

@@ -52,6 +52,13 @@ class Parts(unittest.TestCase):
                 self.assertEqual(disposition.content_disposition, "attachment" if accept == MIXED else "form-data")
                 self.assertEqual(disposition.params.get("name"), None if accept == MIXED else channel)
 
+    def test_two_encodings(self):
+        """fields of a channel in two encodings have their endings, so that a form has both; streams, too"""
+        outputs = b', "outputs": [{"channel": "color"}, {"channel": "depth"}, {"channel": "color", "encoding": "jpeg"}]'
+        names = lambda *more: [part["Content-Disposition"].params["name"] for part in parsed(*self.render(FORM, *more))]
+        self.assertEqual(names(outputs, ""), ["color.png", "depth", "color.jpg"])
+        self.assertEqual(names(outputs + b', "views": ["top"]', ""), ["top.color.png", "top.depth", "top.color.jpg"])
+
     def test_one(self):
         """one file is answered as it is"""
         headers, data = self.render(FORM, query="")
