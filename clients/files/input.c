@@ -98,18 +98,20 @@ static bool is_web_page(const struct bytes *body)
     return false;
 }
 
-/* Refuses options that are keys of scenes. */
-static bool refuse_parameters(const struct options *options, struct bytes *faults)
+/* Refuses options that are keys of scenes. In a batch, which may have models, too, a warning says that they are not
+ * used. */
+static bool refuse_parameters(struct input *input, const struct options *options, struct bytes *faults)
 {
     char flag[FLAG_SIZE];
+    const bool is_batch = options->command && strcmp(options->command->name, "batch") == 0;
     for (size_t i = 0; i < PARAMETER_COUNT; i++) {
         if (!parameter_rows[i].of_mesh || !options->parameters[i]) continue;
         options_flag_of(parameter_rows[i].name, strlen(parameter_rows[i].name), flag);
         const bool is_size = options->own[OPTION_SIZE] && strcmp(parameter_rows[i].name, "width") == 0;
-        bytes_print(faults,
-                    "%s is for meshes, ending with" OPTIONS_MESHES "; a JSON scene has the key %s in the file instead",
-                    is_size ? "--size" : flag, is_size ? "window" : parameter_rows[i].name);
-        return true;
+        bytes_print(is_batch ? &input->warnings : faults,
+                    "%s is for meshes, ending with" OPTIONS_MESHES "; a JSON scene has the key %s in the file instead%s",
+                    is_size ? "--size" : flag, is_size ? "window" : parameter_rows[i].name, is_batch ? "\n" : "");
+        return !is_batch;
     }
     return false;
 }
@@ -151,7 +153,7 @@ bool input_read(struct input *input, const char *path, const struct options *opt
         bytes_print(faults, "it is a folder; \"zraster batch %s\" draws its files", path);
         return false;
     }
-    if (input->is_scene && refuse_parameters(options, faults)) return false;
+    if (input->is_scene && refuse_parameters(input, options, faults)) return false;
     input->is_usage = false;
     if (!input->is_known && refuse_foreign(path, faults)) return false;
     if (!bytes_read(&input->body, path)) {

@@ -9,6 +9,8 @@
 #include "problem.h"
 #include "render_request.h"
 
+#define SCENE_NAME "scene" /* of the part that is the body */
+
 /* all known media types are shorter */
 enum { TYPE_SIZE = 128 };
 
@@ -46,12 +48,12 @@ static enum body_status decompress(const struct work *work, struct zr_request *r
     return BODY_REFUSED;
 }
 
-/* Finds the format of the part `scene` from its Content-Type. Without one it is JSON; for a generic type it stays
- * unknown, and the reader detects it. False: the type names no format. */
+/* Finds the format of the body's part from its Content-Type. Without one, the part `scene` is JSON; another part, and one
+ * of a generic type, stay unknown, and the reader detects the format. False: the type names no format. */
 static bool find_format(const struct multipart_part *scene, enum zr_format *format)
 {
     char type[TYPE_SIZE] = "";
-    *format = ZR_FORMAT_JSON;
+    *format = strcmp(scene->name, SCENE_NAME) == 0 ? ZR_FORMAT_JSON : ZR_FORMAT_UNKNOWN;
     if (!scene->type) return true;
     snprintf(type, sizeof type, "%.*s", (int)scene->type_size, scene->type);
     *format = zr_format_of_type(type);
@@ -77,6 +79,16 @@ enum body_status body_split(const struct work *work, struct zr_request *render, 
     return BODY_REFUSED;
 }
 
+/* Returns the part `scene`, or the only part, as forms of one file have it. NULL: the answer has the error. */
+static const struct multipart_part *find_scene(const struct multipart *parts, struct answer *answer)
+{
+    const struct multipart_part *scene = multipart_find(parts, SCENE_NAME);
+    if (scene || parts->count == 1) return scene ? scene : parts->parts;
+    problem_answer(answer, 400, "multipart/form-data: none of the %zu parts has the name '" SCENE_NAME "': "
+                                "give it to the scene or the model", parts->count);
+    return NULL;
+}
+
 /* Makes the part `scene` the bytes, and the other parts assets. Names lie in the arena. False: the answer has the
  * error. */
 static bool use_parts(const struct work *work, const struct multipart *parts, struct zr_request *render)
@@ -87,14 +99,11 @@ static bool use_parts(const struct work *work, const struct multipart *parts, st
         problem_memory(answer, work->arena, NULL);
         return false;
     }
-    const struct multipart_part *scene = multipart_find(parts, "scene");
-    if (!scene) {
-        problem_answer(answer, 400, "multipart/form-data: no part has the name 'scene'");
-        return false;
-    }
+    const struct multipart_part *scene = find_scene(parts, answer);
+    if (!scene) return false;
     if (!find_format(scene, &render->format)) {
         problem_answer(answer, 400,
-                       "multipart/form-data: the part 'scene' has the Content-Type '%.*s', which is none of: %s",
+                       "multipart/form-data: the part '%s' has the Content-Type '%.*s', which is none of: %s", scene->name,
                        (int)(scene->type_size < 80 ? scene->type_size : 80), scene->type, zr_format_types_join().text);
         return false;
     }

@@ -61,6 +61,17 @@ static bool take_quoted(struct text *text, struct text *value)
     return take(text, '"');
 }
 
+/* Takes a value without quotes. Clients send boundaries with '=' and others that need quotes as they are. */
+static struct text take_plain(struct text *text, bool is_boundary)
+{
+    if (!is_boundary) return take_token(text);
+    struct text value = {text->at, text->at};
+    while (text->at < text->end && !strchr("; \t", *text->at))
+        text->at++;
+    value.end = text->at;
+    return value;
+}
+
 /* Takes "; name=value" with the blanks around it. False: none is left; *broken: malformed. */
 static bool take_parameter(struct text *text, struct text *name, struct text *value, bool *broken)
 {
@@ -78,7 +89,7 @@ static bool take_parameter(struct text *text, struct text *name, struct text *va
     if (text->at < text->end && *text->at == '"') {
         if (!take_quoted(text, value)) return false;
     } else {
-        *value = take_token(text);
+        *value = take_plain(text, is_word(*name, "boundary"));
         if (value->at == value->end) return false;
     }
     *broken = false;

@@ -148,6 +148,10 @@ class Equal(unittest.TestCase):
                 self.assertTrue(self.check(path, only) == want, key)
             self.check(self.parts, {**only, "width": "120", "height": "90"})
         self.check(plain, {"channel": "color", "views": "top,front", "sheet": "views", "sheetColumns": "1"})
+        named = self.write("named.json", {**text, "view": "top"})
+        want = self.check(named, {"channel": "color"})
+        self.write("named.json", {**text, "view": {"preset": "top"}})
+        self.assertTrue(want == self.check(named, {"channel": "color"}))
 
     def test_agents(self):
         """tools for agents measure, draw and name what /v1/render does, by HTTP and by the pipe"""
@@ -167,7 +171,7 @@ class Equal(unittest.TestCase):
         results = {}
         for by_pipe, model in ((True, {"path": os.path.basename(path)}), (False, {"text": text})):
             results[by_pipe] = [self.doors.agent(tool, {"model": model, **given, **more}, by_pipe) for tool, more in
-                (("facts", {}), ("render", {}), *(("pick", {"x": x, "y": y}) for x in (20, 45, 60, 81) for y in (30, 66)))]
+                (("facts", {}), ("render", {}), *(("pick", {"x": x, "y": y}) for x in (20, 30, 60, 90) for y in (22, 45, 68)))]
         self.assertEqual(results[True], results[False])
         facts, drawn, *picks = results[True]
         self.assertFalse(facts["isError"] or drawn["isError"], facts)

@@ -153,6 +153,25 @@ TEST(lists_may_come_as_parts)
     free(f);
 }
 
+TEST(the_only_part_is_the_body_whatever_its_name)
+{
+    static const char model[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    static const char *const heads[] = {"name=file; filename=\"part.obj\"\r\nContent-Type: application/octet-stream",
+                                        "name=part"};
+    static struct body body;
+    struct reply alone = send_body("/v1/render", (const char *const[]){"Content-Type: model/obj", NULL}, model, sizeof model - 1);
+    for (size_t i = 0; i < 2; i++) {
+        body.size = 0;
+        add_part(&body, heads[i], model, sizeof model - 1);
+        end_parts(&body);
+        struct reply reply = send_parts("/v1/render", &body);
+        if (reply.status != 200) fail_msg("%ld: %s", reply.status, reply.body);
+        assert_true(reply_is_same(&reply, &alone));
+        reply_free(&reply);
+    }
+    reply_free(&alone);
+}
+
 static void assert_refused(struct reply reply, long status, const char *text)
 {
     if (reply.status != status || !strstr(reply.body, text)) fail_msg("%ld: %s", reply.status, reply.body);
@@ -169,8 +188,9 @@ TEST(broken_bodies_give_400)
                    "does not contain the boundary");
     body.size = 0;
     add_part(&body, "name=other", GOOD_SCENE, strlen(GOOD_SCENE));
+    add_part(&body, "name=another", "x", 1);
     end_parts(&body);
-    assert_refused(send_parts("/v1/render", &body), 400, "no part has the name 'scene'");
+    assert_refused(send_parts("/v1/render", &body), 400, "none of the 2 parts has the name 'scene'");
     body.size = 0;
     add_part(&body, "name=scene\r\nContent-Type: image/png", GOOD_SCENE, strlen(GOOD_SCENE));
     end_parts(&body);

@@ -298,6 +298,9 @@ void *zr_gltf_allocate(struct zr_gltf *file, size_t count, size_t size);
 /* Counts a problem; stores the path of the first. */
 void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path);
 
+/* Adds " 'NAME'" to the note of the first problem, with '?' for bytes that show nothing. */
+void zr_gltf_note_name(struct zr_gltf_note *note, const char *name);
+
 /* Returns a factor within its range; notes one beyond it. */
 double zr_gltf_clamp(struct zr_gltf *file, const struct zr_json_path *path, double value, double low, double high);
 

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/visible.h"
+
 /* ---- counts of problems ---- */
 
 void *zr_gltf_allocate(struct zr_gltf *file, size_t count, size_t size)
@@ -26,6 +28,13 @@ void zr_gltf_note(struct zr_gltf_note *note, const struct zr_json_path *path)
                                      : snprintf(note->first + used, room, "/%zu", link->index);
         used += (size_t)length < room ? (size_t)length : room - 1;
     }
+}
+
+void zr_gltf_note_name(struct zr_gltf_note *note, const char *name)
+{
+    const size_t used = strlen(note->first);
+    if (note->count == 1) snprintf(note->first + used, sizeof note->first - used, " '%.120s'", name);
+    zr_make_visible(note->first, false);
 }
 
 double zr_gltf_clamp(struct zr_gltf *file, const struct zr_json_path *path, double value, double low, double high)

@@ -100,6 +100,7 @@ static bool find_image(struct zr_gltf *file, const struct zr_json_path *path, ui
     if (image->state == ZR_GLTF_UNREAD && zr_gltf_is_missing(file, &image->uri)) {
         zr_gltf_note(&file->missing_images,
                      ZR_JSON_KEY(ZR_GLTF_ITEM(ZR_GLTF_IMAGES, number), image_fields[IMAGE_URI].key));
+        zr_gltf_note_name(&file->missing_images, image->uri.text);
         image->state = ZR_GLTF_REFUSED;
     }
     if (image->state == ZR_GLTF_UNREAD)

@@ -44,7 +44,9 @@ const struct zr_json_field zr_scene_fields[] = {
                              .schema =
                                  ZR_SCHEMA({"anyOf" : [ {"$ref" : "#/$defs/color"}, {"$ref" : "#/$defs/gradient"} ]})},
     [ZR_SCENE_VIEW] = {"view", zr_read_view, 0, .object = &zr_json_object_view, .otherwise = "the look's",
-                       .text = "pose and projection of the camera"},
+                       .text = "pose and projection of the camera: the name of a preset, or an object",
+                       .schema = ZR_SCHEMA({"anyOf" :
+                                                [ {"$ref" : "#/$defs/view/properties/preset"}, {"$ref" : "#/$defs/view"} ]})},
     [ZR_SCENE_UP] = {"up", zr_read_up, PICTURE(z_is_up), IN_PICTURE, .words = &zr_up_names, .otherwise = "y",
                      .text = "axis that points up, for views, environment and ground"},
     [ZR_SCENE_AMBIENT] = {"ambient", zr_read_light_color, AT(ambient),

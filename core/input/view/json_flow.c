@@ -12,7 +12,8 @@ enum { VIEW, POSES };
 #define AT(member) offsetof(struct zr_parsed_flow, member)
 static const struct zr_json_field fields[] = {
     [VIEW] = {"view", zr_json_value_start, AT(view), .object = &zr_json_object_view, .otherwise = "that of the picture",
-              .text = "pose and projection of the camera"},
+              .text = "pose and projection of the camera: the name of a preset, or an object",
+              .schema = ZR_SCHEMA_OF("scene/properties/view")},
     [POSES] = {"poses", zr_json_value_start, AT(poses), .otherwise = "those of the picture",
                .text = "matrices of nodes, by their names",
                .schema = ZR_SCHEMA({"type" : "object", "additionalProperties" : {"$ref" : "#/$defs/affine"}})}};

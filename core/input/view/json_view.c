@@ -85,6 +85,15 @@ static void find_camera(struct zr_parsed_view *given)
     find_planes(given);
 }
 
+/* Reads the object of a view, or the name of a preset. */
+static bool read_keys(struct zr_json *json, const struct zr_json_path *path, struct zr_parsed_view *given)
+{
+    if (zr_json_type(json) != ZR_JSON_STRING)
+        return zr_json_fields(json, path, &zr_json_object_view, given, &given->keys);
+    given->keys = UINT64_C(1) << ZR_VIEW_PRESET;
+    return zr_json_choice_of(json, path, &zr_preset_names, &given->preset);
+}
+
 bool zr_view_read(struct zr_json *json, const struct zr_json_path *path, const struct zr_view *defaults,
                   struct zr_parsed_view *given)
 {
@@ -95,8 +104,7 @@ bool zr_view_read(struct zr_json *json, const struct zr_json_path *path, const s
                                      .convention = -1,
                                      .pixel_center = 0.5};
     const size_t faults = json->error->count;
-    if (!zr_json_fields(json, path, &zr_json_object_view, given, &given->keys) || json->error->count > faults)
-        return false;
+    if (!read_keys(json, path, given) || json->error->count > faults) return false;
     if (zr_view_gives(given, ZR_VIEW_CAMERA)) {
         find_camera(given);
         return true;
