@@ -20,6 +20,16 @@ static bool read_string(FILE *file, char word[WORD_SIZE])
     return c == '"';
 }
 
+/* Returns true if a colon follows, as after a key. */
+static bool is_key(FILE *file)
+{
+    int c = getc(file);
+    while (c == ' ' || c == '\t' || c == '\r' || c == '\n')
+        c = getc(file);
+    if (c != ':' && c != EOF) ungetc(c, file);
+    return c == ':';
+}
+
 static bool find_key(FILE *file)
 {
     char word[WORD_SIZE];
@@ -28,8 +38,9 @@ static bool find_key(FILE *file)
         depth += (c == '{' || c == '[') - (c == '}' || c == ']');
         if (c != '"') continue;
         if (!read_string(file, word)) return false;
-        if (depth == 1 && (strcmp(word, "meshes") == 0 || strcmp(word, "polygons") == 0)) return true;
-        if (depth == 1 && strcmp(word, "rules") == 0) return false;
+        if (depth != 1 || !is_key(file)) continue;
+        if (strcmp(word, "meshes") == 0 || strcmp(word, "polygons") == 0) return true;
+        if (strcmp(word, "rules") == 0) return false;
     }
     return false;
 }

@@ -263,7 +263,8 @@ verdict "but no scene" [ "$(ls jsons/out | tr '\n' ' ')" = "part.png scene.png "
 mkdir only && cp jsons/part.info.json only/
 check "a folder of nothing else is refused" 2 "$zraster" batch only
 verdict "with the file" grep -q 'only/part.info.json is no scene' "$complained"
-check "a scene makes a sheet, views and a turntable" 0 "$zraster" sheet scene.json -o scene-sheet.png
+sed 's/8, "height": 8/160, "height": 120/' scene.json >large.json
+check "a scene makes a sheet, views and a turntable" 0 "$zraster" sheet large.json -o scene-sheet.png
 "$zraster" views scene.json -o sides/ --views top,front && "$zraster" turntable scene.json -o scene.gif --turntable 2
 verdict "with its files" [ "$(ls sides | tr '\n' ' ')" = "scene.front.png scene.top.png " -a "$(head -c 6 scene.gif)" = GIF89a ]
 check "a folder's pipes are no files" 0 timeout 20 "$zraster" batch pipes -o piped -s 8 --json

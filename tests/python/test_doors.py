@@ -168,10 +168,15 @@ class Equal(unittest.TestCase):
                     self.check_agents(path, text, given, scene)
 
     def check_agents(self, path, text, given, scene):
+        places = [(x, y) for x in (20, 30, 60, 90) for y in (22, 45, 68)]
         results = {}
         for by_pipe, model in ((True, {"path": os.path.basename(path)}), (False, {"text": text})):
-            results[by_pipe] = [self.doors.agent(tool, {"model": model, **given, **more}, by_pipe) for tool, more in
-                (("facts", {}), ("render", {}), *(("pick", {"x": x, "y": y}) for x in (20, 30, 60, 90) for y in (22, 45, 68)))]
+            ask = lambda tool, **more: self.doors.agent(tool, {"model": model, **given, **more}, by_pipe)
+            made = [ask("facts"), ask("render")]
+            if "sheet" in scene:
+                boxes = [view["box"] for view in made[1]["structuredContent"]["views"]]
+                places = [(int(a + (c - a) * share), (b + d) // 2) for a, b, c, d in boxes for share in (0.25, 0.4, 0.75)]
+            results[by_pipe] = made + [ask("pick", x=x, y=y) for x, y in places]
         self.assertEqual(results[True], results[False])
         facts, drawn, *picks = results[True]
         self.assertFalse(facts["isError"] or drawn["isError"], facts)

@@ -159,12 +159,13 @@ TEST(the_only_part_is_the_body_whatever_its_name)
     static const char *const heads[] = {"name=file; filename=\"part.obj\"\r\nContent-Type: application/octet-stream",
                                         "name=part"};
     static struct body body;
-    struct reply alone = send_body("/v1/render", (const char *const[]){"Content-Type: model/obj", NULL}, model, sizeof model - 1);
+    struct reply alone = send_body("/v1/render?width=16&height=12",
+                                   (const char *const[]){"Content-Type: model/obj", NULL}, model, sizeof model - 1);
     for (size_t i = 0; i < 2; i++) {
         body.size = 0;
         add_part(&body, heads[i], model, sizeof model - 1);
         end_parts(&body);
-        struct reply reply = send_parts("/v1/render", &body);
+        struct reply reply = send_parts("/v1/render?width=16&height=12", &body);
         if (reply.status != 200) fail_msg("%ld: %s", reply.status, reply.body);
         assert_true(reply_is_same(&reply, &alone));
         reply_free(&reply);
