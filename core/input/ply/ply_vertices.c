@@ -36,7 +36,7 @@ static bool is_within(double value, double limit)
 static void store_odd(struct zr_ply_file *file, size_t vertex, const double v[3], struct zr_error *error)
 {
     if (!isfinite(v[0]) || !isfinite(v[1]) || !isfinite(v[2])) {
-        file->positions[vertex] = (zr_vec4){NAN, 0, 0, 1};
+        file->positions[vertex] = (zr_vec4){NAN, NAN, NAN, 1};
         atomic_store_explicit(&file->has_holes, true, memory_order_relaxed);
         return;
     }

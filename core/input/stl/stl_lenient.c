@@ -138,22 +138,27 @@ static bool has_hole(const struct zr_stl_reader *reader, size_t corners)
     return false;
 }
 
-/* Counts a facet that is finite; notes any other one. */
 static bool count_facet(struct zr_stl_reader *reader, size_t corners, size_t line)
 {
     if (corners > reader->limits->polygon_vertices_max)
         zr_error_add(reader->error, ZR_BAD_SCENE, NULL, "line %zu: a facet of %zu corners; 3 to %u are allowed", line,
                      corners, reader->limits->polygon_vertices_max);
-    if (has_hole(reader, corners)) {
-        note_at(reader, ZR_STL_HOLE, line, NULL);
-        return true;
-    }
     if (corners > 3) note_at(reader, ZR_STL_POLYGON, line, NULL);
     if (corners > 3 && !begin_offsets(reader)) return false;
     reader->vertices += corners;
     reader->facets++;
     if (reader->offsets)
         reader->offsets[reader->before + reader->facets] = (uint32_t)(reader->vertices_before + reader->vertices);
+    return true;
+}
+
+/* Counts a facet that is finite. Any other one leaves no trace but a note. */
+static bool take_facet(struct zr_stl_reader *reader, const struct zr_stl_reader *before, size_t corners)
+{
+    if (!has_hole(reader, corners)) return count_facet(reader, corners, before->line);
+    note_at(reader, ZR_STL_HOLE, before->line, NULL);
+    reader->is_far = before->is_far;
+    reader->box = before->box;
     return true;
 }
 
@@ -165,13 +170,12 @@ static bool read_facet(struct zr_stl_reader *reader)
     if (zr_stl_read_facet(reader)) {
         reader->vertices = before.vertices;
         reader->facets = before.facets;
-        return count_facet(reader, 3, before.line);
+        return take_facet(reader, &before, 3);
     }
     *reader = before;
     reader->error->count = faults;
     size_t corners;
-    return read_head(reader) && read_loop(reader, &corners) && read_end(reader) &&
-           count_facet(reader, corners, before.line);
+    return read_head(reader) && read_loop(reader, &corners) && read_end(reader) && take_facet(reader, &before, corners);
 }
 
 /* ---- solids ---- */

@@ -143,6 +143,30 @@ static zr_vec4 side_of(const struct zr_scene *scene, uint32_t from, uint32_t to)
     return (zr_vec4){b.x - a.x, b.y - a.y, b.z - a.z, 0};
 }
 
+/* A vertex that is not finite does not hide that a mesh is far, whether or not a face names it. */
+TEST(far_meshes_with_holes_are_moved)
+{
+    static const struct {
+        enum zr_format format;
+        const char *text;
+    } cases[] = {
+        {ZR_FORMAT_PLY, "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+                        "property double z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                        "500000 500000 0\n500002 500000 0\n500000 500002 0\nnan 0 0\n3 0 1 2\n3 0 1 3\n"},
+        {ZR_FORMAT_OBJ, "v 500000 500000 0\nv 500002 500000 0\nv 500000 500002 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n"},
+        {ZR_FORMAT_STL, "solid\nfacet normal 0 0 0 outer loop vertex 500000 500000 0 vertex 500002 500000 0\n"
+                        "vertex 500000 500002 0 endloop endfacet\nfacet normal 0 0 0 outer loop\n"
+                        "vertex nan 0 0 vertex 0 0 0 vertex 1 0 0 endloop endfacet\nendsolid\n"},
+        {ZR_FORMAT_OFF, "OFF\n4 2 0\n500000 500000 0\n500002 500000 0\n500000 500002 0\nnan 0 0\n3 0 1 2\n3 0 1 3\n"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct reading *reading = read_text(cases[i].format, cases[i].text);
+        assert_origin(reading, 500001, 500001, 0);
+        assert_true(reading->scene->meshes[0].positions[1].x == 1.0f);
+        assert_int_equal(reading->scene->meshes[0].face_count, 1);
+        reading_free(reading);
+    }
+}
+
 TEST(remote_meshes_keep_their_digits)
 {
     static const double far[][3] = {{5000, 0, 0}, {0, -1e5, 3}, {408205, 580925, 5}, {9e5, 9e5, -9e5}};
