@@ -414,6 +414,23 @@ static void write_messages(void)
     WRITE_TEXTS("mcp", messages);
 }
 
+/* The first byte is the number of the body. */
+static void write_queries(void)
+{
+    static const struct text queries[] = {
+        {"plain", "0"},
+        {"look", "0look=technical&channel=color&encoding=svg&background=%23ff0000&color=red"},
+        {"sheet", "0preset=front&shading=flat&width=40&height=20&padding=0.1&projection=orthographic"},
+        {"parts", "0hide=b&highlight=a&explode=0.5&edges=1&samples=4&lightDirection=0,0,-1&shadows=true"},
+        {"isolate", "0isolate=a&ghost=*&section=x:0.2&up=z&channel=info,depth"},
+        {"turntable", "0turntable=3&encoding=webp&quality=50&width=32&height=32"},
+        {"camera", "0eye=3,2,4&target=0,0,0&dpi=300&colors=z&exposure=0.5"},
+        {"points", "1look=studio&colors=z&views=top,front&outline=%23123456"},
+        {"scene", "2channel=depth&encoding=npy"},
+    };
+    WRITE_TEXTS("query", queries);
+}
+
 int main(int count, char **arguments)
 {
     if (count != 2) {
@@ -432,5 +449,6 @@ int main(int count, char **arguments)
     write_webps();
     write_bodies();
     write_messages();
+    write_queries();
     return 0;
 }
