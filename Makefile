@@ -469,6 +469,12 @@ bench-costs: ## predicted times beside those taken, of all scenes and models
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/bench/alone/costs
 	@$(BUILD)/tests/bench/alone/costs tests/scenes/*.json $(DATA)/models/*.obj
 
+.PHONY: bench-costs-hostile
+bench-costs-hostile: ## predicted times beside those taken, of scenes whose time is hard to predict
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/bench/alone/costs
+	@$(PYTHON) tests/bench/hostile.py $(BUILD)/hostile
+	@$(BUILD)/tests/bench/alone/costs $(BUILD)/hostile/*.json
+
 .PHONY: signature-timing
 signature-timing: ## whether the time of a check tells how much of a signature is right: SAMPLES=2000000
 	@.ci/need $(NEED_BUILD)
