@@ -20,6 +20,8 @@ void zr_warning_list_add(struct zr_arena *arena, struct zr_warning_list *list, c
     va_start(arguments, format);
     vsnprintf(text, TEXT_SIZE, format, arguments);
     va_end(arguments);
+    for (char *at = text; *at; at++) /* a warning is one line, whatever names it quotes */
+        if ((unsigned char)*at < 0x20 || *at == 0x7F) *at = '?';
     list->texts[list->count++] = text;
 }
 
