@@ -70,10 +70,12 @@ struct zr_encode_input *zr_encode_input_make(struct zr_arena *arena, const struc
                                     .file = scene->file,
                                     .counts = scene->counts};
     if (scene->origin) made->scene.origin = zr_arena_copy(arena, scene->origin, 3 * sizeof *scene->origin);
+    made->scene.adds_origin = scene->adds_origin;
     keep_meshes(arena, scene, &made->scene);
     keep_outputs(arena, frame->view, &made->scene.views[0]);
     made->warnings = zr_drawing_warnings_make(arena, scene, frame);
     made->frame = *frame;
+    made->frame.origin = scene->adds_origin ? made->scene.origin : NULL;
     made->frame.view = &made->scene.views[0];
     keep_parts(arena, &made->frame.parts.list);
     keep_fragments(arena, &made->frame.fragments);

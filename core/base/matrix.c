@@ -66,21 +66,29 @@ bool zr_matrix_invert(const struct zr_matrix *m, struct zr_matrix *out)
 
 /* The quaternion is normalised by dividing products by its squared length, so that right angles stay exact.
  * Source: glTF 2.0, section 3.5.3 "Transformations"; Shoemake, "Quaternions", 1991. */
-zr_mat4 zr_mat4_of_pose(zr_vec3 t, zr_vec4 q, zr_vec3 s)
+struct zr_matrix zr_matrix_of_pose(const double t[3], const double q[4], const double s[3])
 {
-    const double x = (double)q.x, y = (double)q.y, z = (double)q.z, w = (double)q.w;
+    const double x = q[0], y = q[1], z = q[2], w = q[3];
     const double n = x * x + y * y + z * z + w * w;
     const double rotation[9] = {
         (w * w + x * x - y * y - z * z) / n, 2 * (x * y + w * z) / n, 2 * (x * z - w * y) / n, 2 * (x * y - w * z) / n,
         (w * w - x * x + y * y - z * z) / n, 2 * (y * z + w * x) / n, 2 * (x * z + w * y) / n, 2 * (y * z - w * x) / n,
         (w * w - x * x - y * y + z * z) / n};
-    const double scale[3] = {(double)s.x, (double)s.y, (double)s.z};
-    zr_mat4 out = zr_mat4_identity();
+    struct zr_matrix out = {.m = {[12] = t[0], [13] = t[1], [14] = t[2], [15] = 1.0}};
     for (int column = 0; column < 3; column++)
         for (int row = 0; row < 3; row++)
-            out.m[column * 4 + row] = (float)(rotation[column * 3 + row] * scale[column]);
-    out.m[12] = t.x;
-    out.m[13] = t.y;
-    out.m[14] = t.z;
+            out.m[column * 4 + row] = rotation[column * 3 + row] * s[column];
+    return out;
+}
+
+zr_mat4 zr_mat4_of_pose(zr_vec3 t, zr_vec4 q, zr_vec3 s)
+{
+    const struct zr_matrix exact =
+        zr_matrix_of_pose((const double[]){(double)t.x, (double)t.y, (double)t.z},
+                          (const double[]){(double)q.x, (double)q.y, (double)q.z, (double)q.w},
+                          (const double[]){(double)s.x, (double)s.y, (double)s.z});
+    zr_mat4 out;
+    for (int i = 0; i < 16; i++)
+        out.m[i] = (float)exact.m[i];
     return out;
 }

@@ -24,4 +24,7 @@ bool zr_matrix_invert(const struct zr_matrix *m, struct zr_matrix *out);
 /* Returns translation · rotation · scale; the rotation is a quaternion x, y, z, w of any length above 0. */
 zr_mat4 zr_mat4_of_pose(zr_vec3 t, zr_vec4 q, zr_vec3 s);
 
+/* The same in doubles. */
+struct zr_matrix zr_matrix_of_pose(const double t[3], const double q[4], const double s[3]);
+
 #endif

@@ -200,11 +200,11 @@ static void print_color(struct zr_print *print, zr_vec3 color)
     zr_print_string(print, "color", text);
 }
 
-static void print_box(struct zr_print *print, const char *key, zr_vec3 min, zr_vec3 max)
+static void print_box(struct zr_print *print, const char *key, zr_vec3 min, zr_vec3 max, const double *moved)
 {
     zr_print_begin(print, key, '{');
-    zr_print_vec3(print, "min", min);
-    zr_print_vec3(print, "max", max);
+    zr_print_place(print, "min", min, moved);
+    zr_print_place(print, "max", max, moved);
     zr_print_end(print, '}');
 }
 
@@ -218,17 +218,26 @@ static void print_shells(struct zr_print *print, const struct zr_shells *shells)
     zr_print_end(print, '}');
 }
 
-static void print_edges(struct zr_print *print, const char *key, const struct zr_edge_facts *edges)
+/* Prints a place plus `moved`, which may be NULL. */
+static void print_exact_place(struct zr_print *print, const char *key, const double at[3], const double *moved)
+{
+    double out[3] = {at[0], at[1], at[2]};
+    for (int axis = 0; moved && axis < 3; axis++)
+        out[axis] += moved[axis];
+    zr_print_doubles(print, key, out, 3);
+}
+
+static void print_edges(struct zr_print *print, const char *key, const struct zr_edge_facts *edges, const double *moved)
 {
     if (edges->count == 0) return;
     zr_print_begin(print, key, '{');
     zr_print_count(print, "count", edges->count);
-    zr_print_doubles(print, "at", edges->at, 3);
+    print_exact_place(print, "at", edges->at, moved);
     zr_print_end(print, '}');
 }
 
 /* The id equals the value of the channel instanceId as long as all meshes before it are one part. */
-static void print_part(struct zr_print *print, const struct zr_frame_parts *parts, uint32_t number)
+static void print_part(struct zr_print *print, const struct zr_frame_parts *parts, uint32_t number, const double *moved)
 {
     const struct zr_part_facts *facts = &parts->facts[number];
     const uint32_t instance = parts->list.at[number].instance;
@@ -238,7 +247,7 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
     if (instance != number) zr_print_count(print, "instanceId", (uint64_t)instance + 1);
     if (facts->is_hidden) zr_print_bool(print, "hidden", true);
     if (facts->has_box)
-        print_box(print, "box", facts->min, facts->max);
+        print_box(print, "box", facts->min, facts->max, moved);
     else
         zr_print_null(print, "box");
     zr_print_count(print, "triangles", facts->triangles);
@@ -249,7 +258,7 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
         zr_print_null(print, "volume");
     if (facts->has_overlap) zr_print_double(print, "volumeError", facts->volume_error);
     if (facts->has_center)
-        zr_print_doubles(print, "centerOfMass", facts->center, 3);
+        print_exact_place(print, "centerOfMass", facts->center, moved);
     else
         zr_print_null(print, "centerOfMass");
     if (facts->least_wall.is_found)
@@ -259,20 +268,20 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
     if (facts->least_wall.is_omitted) zr_print_bool(print, "leastWallOmitted", true);
     zr_print_bool(print, "closed", facts->is_closed);
     print_shells(print, &facts->shells);
-    print_edges(print, "openEdges", &facts->open_edges);
-    print_edges(print, "flippedEdges", &facts->flipped_edges);
+    print_edges(print, "openEdges", &facts->open_edges, moved);
+    print_edges(print, "flippedEdges", &facts->flipped_edges, moved);
     if (parts->cap_areas) zr_print_double(print, "capArea", parts->cap_areas[number]);
     if (parts->pixels) zr_print_count(print, "pixels", parts->pixels[number]);
     print_color(print, facts->color);
     zr_print_end(print, '}');
 }
 
-static void print_parts(struct zr_print *print, const struct zr_frame_parts *parts)
+static void print_parts(struct zr_print *print, const struct zr_frame_parts *parts, const double *moved)
 {
     const uint32_t count = parts->list.count;
     zr_print_begin(print, "parts", '[');
     for (uint32_t i = 0; i < count; i++)
-        print_part(print, parts, i);
+        print_part(print, parts, i, moved);
     zr_print_end(print, ']');
     if (parts->list.total > count) zr_print_count(print, "partsOmitted", parts->list.total - count);
 }
@@ -286,10 +295,10 @@ static void print_view(struct zr_print *print, const struct zr_scene *scene, con
     zr_print_end(print, '}');
     zr_camera_print(print, frame, scene->picture->z_is_up);
     print_file(print, scene);
-    if (scene->origin) zr_print_doubles(print, "origin", scene->origin, 3);
+    if (scene->origin && !scene->adds_origin) zr_print_doubles(print, "origin", scene->origin, 3);
     if (scene->parts.explode != 0.0) zr_print_double(print, "explode", scene->parts.explode);
     if (!frame->bounds.valid) return;
-    print_box(print, "bounds", frame->bounds.min, frame->bounds.max);
+    print_box(print, "bounds", frame->bounds.min, frame->bounds.max, frame->origin);
 }
 
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
@@ -322,7 +331,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     }
     zr_print_count(print, "instances", scene->instance_count);
     print_meshes(print, scene, patches, first);
-    print_parts(print, &frame->parts);
+    print_parts(print, &frame->parts, frame->origin);
     if (frame->masks) {
         const enum zr_status status = zr_masks_print(print, scene, frame, cancel);
         if (status != ZR_OK) return status;

@@ -123,6 +123,7 @@ static enum zr_status draw_nothing(const struct zr_run *run, const struct zr_sce
     const struct zr_scene *drawn;
     zr_frame_open(resolved, frame);
     frame->base = scene->base;
+    frame->origin = scene->adds_origin ? scene->origin : NULL;
     return zr_render_sections(run, scene, resolved, frame, &drawn);
 }
 
@@ -132,6 +133,7 @@ static enum zr_status draw(const struct zr_run *run, const struct zr_scene *scen
     const struct zr_scene *drawn = scene;
     enum zr_status status = ZR_OK;
     STAGE(zr_frame_make(run->arena, resolved, frame));
+    frame->origin = scene->adds_origin ? scene->origin : NULL;
     if (scene->base) STAGE(zr_base_place(run, scene, frame->view, &frame->camera, &frame->base));
     if (scene->sections.count > 0) STAGE(zr_render_sections(run, scene, resolved, frame, &drawn));
     STAGE(draw_frame(run, drawn, frame));

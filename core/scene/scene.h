@@ -80,6 +80,7 @@ struct zr_mesh {
 
     uint32_t position_count;
     const zr_vec4 *positions; /* object space; w = 1 if three numbers were given */
+    const double *move;       /* three numbers that the reader subtracted from them, for output; NULL: none */
 
     /* Positions of the elements that are drawn, for bounds and views, if others are hidden. NULL: all positions. */
     const zr_vec4 *shown;
@@ -312,6 +313,7 @@ struct zr_scene {
     struct zr_read_counts counts;
     struct zr_file_facts file;
     const double *origin; /* three numbers that the reader subtracted from all positions; NULL: none */
+    bool adds_origin;     /* outputs add it again: a scene in JSON, which gives its places, too */
     struct zr_view views[ZR_VIEWS_MOST];
     struct zr_sheet sheet;                    /* one picture of all views */
     const struct zr_view_set *view_set;       /* several views, made from this scene by views/; NULL: one */

@@ -354,6 +354,8 @@ static const struct {
                {zr_json_length, "length"},
                {zr_json_positive, "positive"},
                {zr_json_vec3, "vec3"},
+               {zr_json_place, "vec3"},
+               {zr_json_doubles3, "vec3"},
                {zr_json_vec4, "vec4"},
                {zr_json_position, "position"},
                {zr_json_color, "color"},

@@ -96,6 +96,7 @@ struct zr_frame {
     uint32_t *owners;                       /* per pixel: 1 + number of the visible primitive; NULL: not wanted */
     const struct zr_flow_target *flow;      /* render/flow.h; only while the channel flow is drawn */
     const struct zr_nocs_list *nocs;        /* of the drawn scene; only while positions are drawn in that space */
+    const double *origin;                   /* three numbers added to places in world space by outputs; NULL: none */
     const struct zr_base *base;             /* background pixels, with window_depth filled in; NULL: none */
     struct zr_camera camera, flow_camera;   /* flow_camera: see struct zr_resolved_view */
     struct zr_bounds bounds;                /* bounds of the scene; invalid unless the view or the info needs them */

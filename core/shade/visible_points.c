@@ -216,6 +216,13 @@ static void find_in_object(struct points *points, const struct shown *shown, con
     zr_matrix_apply(&points->to_object, eye, out);
 }
 
+/* Returns the numbers that readers subtracted from places in the space, or NULL. */
+static const double *moved_by(const struct points *points, const struct shown *shown)
+{
+    if (points->space == ZR_SPACE_WORLD) return points->frame->origin;
+    return points->space == ZR_SPACE_OBJECT ? shown->instance->mesh->move : NULL;
+}
+
 static void put_position(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
                          float *out)
 {
@@ -223,8 +230,10 @@ static void put_position(struct points *points, const struct shown *shown, const
     double placed[4] = {eye[0], eye[1], eye[2], 1.0};
     if (space == ZR_SPACE_WORLD) zr_matrix_apply(&points->to_world, eye, placed);
     if (space >= ZR_SPACE_OBJECT) find_in_object(points, shown, eye, parts, placed);
+    const double *moved = moved_by(points, shown);
     for (int k = 0; k < 3; k++) {
-        const double value = placed[3] != 0.0 ? placed[k] / placed[3] : placed[k];
+        double value = placed[3] != 0.0 ? placed[k] / placed[3] : placed[k];
+        if (moved) value += moved[k];
         const bool is_nocs = space == ZR_SPACE_NOCS && placed[3] != 0.0;
         out[k] = (float)(is_nocs ? zr_nocs_of(points->frame->nocs, shown->instance->mesh, value, k) : value);
     }

@@ -29,6 +29,7 @@ enum { ZR_JSON_DEPTH_MAX = 512 };
 struct zr_team; /* base/team.h */
 struct zr_parsed_assets;
 struct zr_json_uris;
+struct zr_far; /* text/recenter.h */
 
 struct zr_json {
     const char *at; /* the next byte to read */
@@ -40,6 +41,7 @@ struct zr_json {
     const struct zr_limits *limits;
     struct zr_error *error;
     struct zr_parsed_assets *assets; /* files/assets.h; NULL: the text is no scene and names no assets */
+    const struct zr_far *far;        /* subtracted from places before they are rounded; NULL: nothing */
     struct zr_json_uris *uris;       /* json_uris.h; NULL: long data: URIs are not noted */
     unsigned depth;                  /* open lists and objects around `at` */
     bool ended;    /* reading has ended: the text is malformed or too deep, or the request is cancelled */

@@ -8,6 +8,7 @@
 #include "input/json/npy_read.h"
 #include "input/text/color_text.h"
 #include "input/text/parts.h"
+#include "input/text/recenter.h"
 
 /* PART_NUMBERS: numbers between two checks for cancellation, whole rows of three, some 20 us of work. TEAM_NUMBERS:
  * smaller arrays are read by one thread. ROWS_MAX: kernels gather rows by 32-bit offsets. */
@@ -291,6 +292,19 @@ static void *make_room(struct zr_json *json, const struct zr_json_array *array, 
     return to;
 }
 
+/* Replaces positions by those minus the move of a far scene. */
+static bool move_rows(struct zr_json *json, const struct zr_json_array *array, zr_vec4 *to)
+{
+    for (size_t i = 0; i < array->rows; i++) {
+        const size_t at = i * array->columns;
+        const double v[3] = {number_at(array, at), number_at(array, at + 1), number_at(array, at + 2)};
+        to[i] = zr_far_position(json->far, v, array->columns == 4 ? number_at(array, at + 3) : 1.0);
+        if (i % PART_NUMBERS == 0) zr_json_look(json);
+        if (zr_json_stops(json)) return false;
+    }
+    return true;
+}
+
 bool zr_json_array_floats(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_array *array,
                           struct zr_growing *out)
 {
@@ -300,7 +314,8 @@ bool zr_json_array_floats(struct zr_json *json, const struct zr_json_path *path,
     r.to = make_room(json, array, array->numbers.type == ZR_F4 && !r.is_widened, items, out);
     if (!r.to) return false;
     if (r.to == array->numbers.data) r.to = NULL;
-    return read_parts(json, path, &r);
+    if (!read_parts(json, path, &r)) return false;
+    return !(json->far && array->wanted->is_changed) || move_rows(json, array, r.to);
 }
 
 bool zr_json_array_indices(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_array *array,

@@ -63,3 +63,18 @@ bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, void 
     *(zr_mat4 *)out = matrix;
     return true;
 }
+
+bool zr_json_affine_exact(struct zr_json *json, const struct zr_json_path *path, zr_mat4 *rounded,
+                          struct zr_matrix *exact)
+{
+    struct zr_json there = *json;
+    double m[16] = {0};
+    bool rows;
+    if (!zr_json_affine(json, path, rounded)) return false;
+    *exact = zr_matrix_of(rounded);
+    if (!json->far || !zr_json_square(&there, path, 4, (double)ZR_MATRIX_MAX, m, &rows)) return true;
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++)
+            exact->m[4 * i + k] = m[rows ? 4 * k + i : 4 * i + k] / m[15];
+    return true;
+}

@@ -6,6 +6,7 @@
 
 #include "input/text/color_text.h"
 #include "input/text/nearest.h"
+#include "input/text/recenter.h"
 #include "input/text/text.h"
 #include "scene/scene.h"
 
@@ -327,6 +328,23 @@ bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, void *o
     return true;
 }
 
+bool zr_json_doubles3(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    double v[3] = {0};
+    if (!zr_json_numbers(json, path, (struct zr_json_row){3, 3, -limit, limit}, v, NULL)) return false;
+    memcpy(out, v, sizeof v);
+    return true;
+}
+
+bool zr_json_place(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    double v[3];
+    if (!zr_json_doubles3(json, path, v)) return false;
+    *(zr_vec3 *)out = zr_far_place(json->far, v);
+    return true;
+}
+
 bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
@@ -336,7 +354,13 @@ bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, void *o
 bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
-    return read_vec4(json, path, (struct zr_json_row){3, 4, -limit, limit}, out);
+    const struct zr_json_row row = {3, 4, -limit, limit};
+    double v[4] = {0};
+    size_t count;
+    if (!json->far) return read_vec4(json, path, row, out);
+    if (!zr_json_numbers(json, path, row, v, &count)) return false;
+    *(zr_vec4 *)out = zr_far_position(json->far, v, count == 4 ? v[3] : 1.0);
+    return true;
 }
 
 bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, void *out)

@@ -110,8 +110,8 @@ static bool read_file(struct zr_parsed_scene *root, const struct zr_json_path *p
     return zr_arena_ok(json->arena);
 }
 
-/* Without nodes in the file, each of its meshes has the identity. */
-static bool place(struct zr_model *model)
+/* Without nodes in the file, each of its meshes has the identity. A far scene adds the origin later (place_far). */
+static bool place(struct zr_model *model, bool is_far)
 {
     struct zr_scene *scene = &model->scene;
     const struct zr_model_scene *file = model->builder.file;
@@ -120,7 +120,7 @@ static bool place(struct zr_model *model)
     scene->instances = all;
     for (uint32_t i = 0; all && i < scene->instance_count; i++) {
         all[i] = file ? file->instances[i] : (struct zr_instance){.mesh = i, .object_to_world = zr_mat4_identity()};
-        if (!scene->origin) continue;
+        if (!scene->origin || is_far) continue;
         const zr_mat4 origin =
             zr_mat4_of_pose((zr_vec3){(float)scene->origin[0], (float)scene->origin[1], (float)scene->origin[2]},
                             (zr_vec4){0, 0, 0, 1}, (zr_vec3){1, 1, 1});
@@ -138,7 +138,12 @@ struct zr_model *zr_model_read(struct zr_parsed_scene *root, const struct zr_jso
     model->builder = zr_scene_builder_open(json->arena, json->team, &model->scene);
     model->builder.asset_uses = root->assets.uses;
     model->builder.asset_folder = name->asset ? folder_of(json->arena, name->asset) : NULL;
-    return read_file(root, path, name, model) && place(model) ? model : NULL;
+    return read_file(root, path, name, model) && place(model, json->far != NULL) ? model : NULL;
+}
+
+const double *zr_model_origin(const struct zr_model *model)
+{
+    return model->scene.origin;
 }
 
 /* ---- making ---- */

@@ -95,10 +95,29 @@ static bool read_reference(struct zr_json *json, const struct zr_json_path *path
 
 struct given_node {
     const char *name, *mesh, *children; /* mesh, children: places in the text, or NULL */
-    zr_mat4 matrix;
-    zr_vec3 translation, scale;
-    zr_vec4 rotation;
+    struct given_matrix {
+        zr_mat4 rounded;
+        struct zr_matrix exact;
+    } matrix;
+    double translation[3], scale[3], rotation[4];
 };
+
+/* struct given_matrix */
+static bool read_matrix(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    struct given_matrix *matrix = out;
+    return zr_json_affine_exact(json, path, &matrix->rounded, &matrix->exact);
+}
+
+/* double[4] */
+static bool read_rotation(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    double v[4] = {0};
+    if (!zr_json_numbers(json, path, (struct zr_json_row){4, 4, -limit, limit}, v, NULL)) return false;
+    memcpy(out, v, sizeof v);
+    return true;
+}
 
 enum { NAME, MESH, MATRIX, TRANSLATION, ROTATION, SCALE, CHILDREN };
 #define AT(member) offsetof(struct given_node, member)
@@ -106,13 +125,13 @@ static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .text = "name for parents and the output info"},
     [MESH] = {"mesh", zr_json_value_start, AT(mesh), .otherwise = "a group", .text = "number or name of a mesh",
               .schema = ZR_SCHEMA({"anyOf" : [ {"$ref" : "#/$defs/index"}, {"type" : "string"} ]})},
-    [MATRIX] = {"matrix", zr_json_affine, AT(matrix), .otherwise = "the identity",
-                .text = "transformation to the parent's space"},
-    [TRANSLATION] = {"translation", zr_json_vec3, AT(translation), .unit = "scene units", .otherwise = "[0, 0, 0]",
+    [MATRIX] = {"matrix", read_matrix, AT(matrix), .otherwise = "the identity",
+                .text = "transformation to the parent's space", .schema = ZR_SCHEMA_OF("affine")},
+    [TRANSLATION] = {"translation", zr_json_doubles3, AT(translation), .unit = "scene units", .otherwise = "[0, 0, 0]",
                      .text = "translation, after scale and rotation"},
-    [ROTATION] = {"rotation", zr_json_vec4, AT(rotation), .otherwise = "[0, 0, 0, 1]",
+    [ROTATION] = {"rotation", read_rotation, AT(rotation), .otherwise = "[0, 0, 0, 1]",
                   .text = "rotation as a quaternion x, y, z, w, after scale", .schema = ZR_SCHEMA_OF("quaternion")},
-    [SCALE] = {"scale", zr_json_vec3, AT(scale), .otherwise = "[1, 1, 1]", .text = "factor per axis"},
+    [SCALE] = {"scale", zr_json_doubles3, AT(scale), .otherwise = "[1, 1, 1]", .text = "factor per axis"},
     [CHILDREN] = {
         "children", zr_json_value_start, AT(children), .otherwise = "[]", .text = "numbers or names of child nodes",
         .schema =
@@ -135,26 +154,38 @@ struct reader {
     struct directory meshes, nodes;
     const char **children; /* the place of each node's list in the text, or NULL */
     struct zr_node *made;
-    struct own_pose *own; /* of each node, for an animation; or NULL */
+    struct own_pose *own;    /* of each node, for an animation; or NULL */
+    struct zr_matrix *exact; /* of each node of a far scene: its matrix; or NULL */
 };
+
+static zr_vec3 rounded(const double v[3])
+{
+    return (zr_vec3){(float)v[0], (float)v[1], (float)v[2]};
+}
+
+static zr_vec4 rounded_rotation(const struct given_node *given)
+{
+    const double *q = given->rotation;
+    return (zr_vec4){(float)q[0], (float)q[1], (float)q[2], (float)q[3]};
+}
 
 static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path, const struct given_node *given,
                           uint64_t keys)
 {
-    const zr_vec4 q = given->rotation;
-    if (zr_json_gives(keys, MATRIX)) return given->matrix;
+    const zr_vec4 q = rounded_rotation(given);
+    if (zr_json_gives(keys, MATRIX)) return given->matrix.rounded;
     if (!(zr_json_gives(keys, TRANSLATION) || zr_json_gives(keys, ROTATION) || zr_json_gives(keys, SCALE)))
         return zr_mat4_identity();
     if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f)
         zr_json_fault(json, ZR_JSON_KEY(path, fields[ROTATION].key),
                       "the quaternion has the length 0; 0 0 0 1 is no rotation");
-    return zr_mat4_of_pose(given->translation, q, given->scale);
+    return zr_mat4_of_pose(rounded(given->translation), q, rounded(given->scale));
 }
 
 static void read_node(struct reader *reader, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct zr_node *node = &reader->made[number];
-    struct given_node given = {.name = "", .matrix = zr_mat4_identity(), .rotation = {0, 0, 0, 1}, .scale = {1, 1, 1}};
+    struct given_node given = {.name = "", .rotation = {0, 0, 0, 1}, .scale = {1, 1, 1}};
     uint64_t keys;
     *node = (struct zr_node){.mesh = ZR_NODE_NO_MESH};
     zr_json_fields(json, path, &zr_json_object_node, &given, &keys);
@@ -166,8 +197,12 @@ static void read_node(struct reader *reader, struct zr_json *json, const struct 
     }
     node->local = find_local(json, path, &given, keys);
     if (reader->own)
-        reader->own[number] =
-            (struct own_pose){{given.translation, given.scale, given.rotation}, zr_json_gives(keys, MATRIX)};
+        reader->own[number] = (struct own_pose){
+            {rounded(given.translation), rounded(given.scale), rounded_rotation(&given)}, zr_json_gives(keys, MATRIX)};
+    if (reader->exact)
+        reader->exact[number] = zr_json_gives(keys, MATRIX)
+                                    ? given.matrix.exact
+                                    : zr_matrix_of_pose(given.translation, given.rotation, given.scale);
     reader->children[number] = NULL;
     if (given.children) {
         struct zr_json there = zr_json_at(json, given.children);
@@ -212,10 +247,11 @@ static void read_poses(struct reader *reader, struct zr_json *json, const struct
         const char *name = zr_json_decode(json, &key);
         const struct zr_json_path *at = ZR_JSON_KEY(path, name ? name : "");
         uint32_t number;
-        zr_mat4 matrix;
+        struct given_matrix matrix;
         if (!name) return;
-        if (zr_json_affine(json, at, &matrix) && find_name(json, at, &reader->nodes, name, &number))
-            reader->made[number].local = matrix;
+        if (!read_matrix(json, at, &matrix) || !find_name(json, at, &reader->nodes, name, &number)) continue;
+        reader->made[number].local = matrix.rounded;
+        if (reader->exact) reader->exact[number] = matrix.exact;
     }
 }
 
@@ -252,6 +288,7 @@ static void animate(struct reader *reader, const struct zr_keeping *keeping, con
                           number);
         else if (keeping && keeping->animation)
             node->local = zr_track_matrix(track, &keeping->moment, &own->pose, &node->local);
+        if (keeping && keeping->animation && reader->exact) reader->exact[number] = zr_matrix_of(&node->local);
     }
 }
 
@@ -286,6 +323,7 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
                             .made = zr_arena_alloc(arena, nodes, sizeof *reader.made)};
     const struct zr_animation *animation = animation_of(root);
     if (animation) reader.own = zr_arena_alloc(arena, nodes, sizeof *reader.own);
+    if (json->far) reader.exact = zr_arena_alloc(arena, nodes, sizeof *reader.exact);
     if (!zr_arena_ok(arena)) return NULL;
     for (uint32_t i = 0; i < mesh_count; i++)
         add_name(&reader.meshes, meshes[i].name, i);
@@ -295,7 +333,7 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
         read_node(&reader, json, ZR_JSON_ITEM(path, number), number);
     reader.nodes.count = number;
     sort_names(&reader.nodes);
-    struct zr_nodes hierarchy = {.count = reader.nodes.count, .nodes = reader.made};
+    struct zr_nodes hierarchy = {.count = reader.nodes.count, .nodes = reader.made, .exact = reader.exact};
     read_changed_poses(&reader, root->builder->keeping);
     animate(&reader, root->builder->keeping, animation);
     if (poses) {
@@ -316,6 +354,7 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
         !zr_json_check_placement(json, path, reader.nodes.count, fields[CHILDREN].key, &placement))
         return NULL;
     root->unplaced_meshes = count_unplaced(arena, &reader);
+    root->exact = placement.exact;
     *count = placement.count;
     return placement.instances;
 }

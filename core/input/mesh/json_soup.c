@@ -1,4 +1,5 @@
 #include "input/mesh/parsed_mesh.h"
+#include "input/text/recenter.h"
 
 #include <string.h>
 
@@ -245,6 +246,7 @@ void zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_
     *mesh = (struct zr_mesh){.name = "polygons",
                              .position_count = (uint32_t)vertices,
                              .positions = soup->positions.items,
+                             .move = json->far ? json->far->move : NULL,
                              .face_count = (uint32_t)faces,
                              .face_offsets = soup->offsets.items,
                              .face_rings = soup->rings.items,

@@ -124,6 +124,8 @@ struct zr_parsed_mesh {
  * Faces have the material of `style`, else the file's material. */
 struct zr_model *zr_model_read(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                const struct zr_bytes_name *name);
+/* Returns the origin that the file's reader subtracted, or NULL. */
+const double *zr_model_origin(const struct zr_model *model);
 bool zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                    const struct zr_style *style, struct zr_mesh *meshes);
 

@@ -49,6 +49,7 @@ bool zr_kept_save(struct zr_kept *kept, struct zr_parsed_scene *root)
         uses[i] = (root->assets.uses[i] & ZR_USED_BY_GEOMETRY) != 0;
     kept->uses = uses;
     kept->meshes = root->meshes;
+    kept->far = json->far;
     kept->soup = root->soup ? zr_soup_copy(json->arena, root->soup, true) : NULL;
     return zr_arena_ok(json->arena);
 }
@@ -57,6 +58,7 @@ bool zr_kept_load(const struct zr_kept *kept, struct zr_parsed_scene *root)
 {
     if (kept->request->asset_count > 0) memcpy(root->assets.uses, kept->uses, kept->request->asset_count);
     root->meshes = kept->meshes;
+    root->json.far = kept->far;
     root->soup = kept->soup ? zr_soup_copy(root->json.arena, kept->soup, false) : NULL;
     return zr_arena_ok(root->json.arena);
 }

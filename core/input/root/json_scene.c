@@ -2,6 +2,7 @@
 #include "input/scene/json_scene.h"
 
 #include "input/formats/input.h"
+#include "input/root/json_far.h"
 #include "input/scene/json_model_scene.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/kept.h"
@@ -95,6 +96,36 @@ static bool is_shallow(struct zr_json *json)
     return good;
 }
 
+/* Reads the text and makes the scene. */
+static void read_text(struct zr_parsed_scene *root, const struct zr_request *request)
+{
+    struct zr_json *json = &root->json;
+    zr_json_open(json, request->bytes, request->size);
+    const bool is_read = zr_json_fields(json, NULL, &zr_json_object_scene, root, &root->keys) && zr_json_end(json);
+    if (is_read) use_asked_views(root->scene, root->builder->asked);
+    if (is_read && save(root)) build(root);
+    if (!json->far || !zr_far_moves(json->far->origin)) return;
+    root->scene->origin = json->far->origin;
+    root->scene->adds_origin = true;
+}
+
+/* Reads a scene that is far from the origin again, from the beginning: `fresh` and the others are copies of what was
+ * there before the first reading. */
+static void read_far(struct zr_parsed_scene *root, const struct zr_request *request,
+                     const struct zr_parsed_scene *fresh, const struct zr_scene *scene,
+                     const struct zr_scene_builder *builder)
+{
+    struct zr_arena *arena = root->json.arena;
+    struct zr_far *far = zr_arena_alloc(arena, 1, sizeof *far);
+    if (!far || !zr_arena_ok(arena) || root->json.error->count > 0 || !zr_far_find(root, far)) return;
+    *root = *fresh;
+    *root->scene = *scene;
+    *root->builder = *builder;
+    root->picture = zr_arena_zero(arena, 1, sizeof *root->picture);
+    root->json.far = far;
+    if (root->picture) read_text(root, request);
+}
+
 enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_request *request,
                             const struct zr_limits *limits, struct zr_error *error)
 {
@@ -120,8 +151,10 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
     if (!root.assets.uses || !root.picture) return zr_json_close(json);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
     if (keeping && keeping->from && !zr_kept_load(keeping->from, &root)) return ZR_NO_MEMORY;
-    const bool is_read = zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.keys) && zr_json_end(json);
-    if (is_read) use_asked_views(scene, builder->asked);
-    if (is_read && save(&root)) build(&root);
+    const struct zr_parsed_scene fresh = root;
+    const struct zr_scene before = *scene;
+    const struct zr_scene_builder opened = *builder;
+    read_text(&root, request);
+    if (!json->far && !(keeping && keeping->from)) read_far(&root, request, &fresh, &before, &opened);
     return zr_json_close(json);
 }

@@ -7,6 +7,7 @@
 #include "base/team.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "input/text/recenter.h"
 #include "scene/picture.h"
 
 /* The larger limit is for lamps with a position: it lights objects as far away as coordinates allow. */
@@ -24,9 +25,9 @@ static const struct zr_names frame_names = ZR_NAMES(FRAMES, frames);
 
 struct given_light {
     int type, frame;
-    zr_vec3 direction, up, position;
+    zr_vec3 direction, up;
     zr_vec4 color, sky, ground;
-    double intensity, inner_degrees, outer_degrees;
+    double position[3], intensity, inner_degrees, outer_degrees;
     float range;
     bool has_shadows;
 };
@@ -107,7 +108,7 @@ static const struct zr_json_field fields[] = {
                    .schema = ZR_SCHEMA({"type" : "number"})},
     [FRAME] = {"frame", zr_json_choice, AT(frame), .words = &frame_names, .otherwise = "world",
                .text = "space of directions and positions; camera: the light moves with the camera"},
-    [POSITION] = {"position", zr_json_vec3, AT(position), .unit = "scene units", .text = "point, spot: position",
+    [POSITION] = {"position", zr_json_doubles3, AT(position), .unit = "scene units", .text = "point, spot: position",
                   .of = OF_POINT | OF_SPOT, .required_of = OF_POINT | OF_SPOT},
     [RANGE] = {"range", zr_json_positive, AT(range), .unit = "scene units", .otherwise = "none",
                .text = "point, spot: distance at which the light has faded to 0", .of = OF_POINT | OF_SPOT},
@@ -177,7 +178,8 @@ static zr_vec3 light_of(zr_vec3 color, float intensity)
     return zr_vec3_scale(zr_light_color(color, false), intensity);
 }
 
-static void make_light(const struct given_light *given, struct zr_light *light, struct zr_parsed_light_colors *colors)
+static void make_light(const struct given_light *given, const struct zr_far *far, struct zr_light *light,
+                       struct zr_parsed_light_colors *colors)
 {
     const bool is_hemisphere = given->type == ZR_LIGHT_HEMISPHERE;
     *colors = (struct zr_parsed_light_colors){rgb(is_hemisphere ? given->sky : given->color),
@@ -192,7 +194,7 @@ static void make_light(const struct given_light *given, struct zr_light *light, 
     } else {
         light->direction = given->direction;
         light->has_shadows = given->has_shadows;
-        light->position = given->position;
+        light->position = zr_far_place(light->camera_frame ? NULL : far, given->position);
         light->range = given->range;
         light->inner_degrees = given->inner_degrees;
         light->outer_degrees = given->outer_degrees;
@@ -211,7 +213,7 @@ static void read_light(struct zr_parsed_scene *root, struct zr_json *json, const
     uint64_t keys;
     if (!zr_json_fields(json, path, &zr_json_object_light, &given, &keys) || given.type < 0) return;
     check_light(json, path, &given);
-    make_light(&given, light, colors);
+    make_light(&given, json->far, light, colors);
     if (light->type == ZR_LIGHT_HEMISPHERE) root->linear_key = "the type hemisphere of lights";
     if (light->has_shadows) root->linear_key = "the key shadows of lights";
 }

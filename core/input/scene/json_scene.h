@@ -142,7 +142,8 @@ struct zr_parsed_scene {
     struct zr_parsed_assets assets;
     struct zr_image_list images;
 
-    uint32_t unplaced_meshes;     /* meshes that no node places */
+    uint32_t unplaced_meshes; /* meshes that no node places */
+    struct zr_matrix *exact;  /* of a far scene: matrices of the instances that nodes place, with room for one more */
     const uint32_t *model_firsts; /* per mesh of the list: number of its file's second mesh; or NULL (json_model.c) */
 };
 

@@ -1,6 +1,7 @@
 /* Reads sections: planes that cut the scene open. */
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "input/text/recenter.h"
 
 enum { UNCUT_MAX = 1024 };
 
@@ -13,8 +14,8 @@ static const struct zr_names side_names = ZR_NAMES(ZR_SECTION_KEEPS, sides);
 
 struct given_plane {
     int axis, keep;
-    double offset, fraction;
-    zr_vec3 point, normal;
+    double offset, fraction, point[3];
+    zr_vec3 normal;
 };
 
 /* ---- one plane ---- */
@@ -38,7 +39,7 @@ static const struct zr_json_field plane_fields[] = {
                 .unit = "scene units", .text = "place of the plane on the axis"},
     [FRACTION] = {"fraction", zr_json_number, AT(fraction), 0, 1, .otherwise = "0.5, without an offset",
                   .text = "place on the axis, as a share of the bounds of the scene"},
-    [POINT] = {"point", zr_json_vec3, AT(point), .unit = "scene units", .otherwise = "[0,0,0]",
+    [POINT] = {"point", zr_json_doubles3, AT(point), .unit = "scene units", .otherwise = "[0,0,0]",
                .text = "point of the plane"},
     [NORMAL] = {"normal", read_normal, AT(normal), .text = "direction across the plane, of any length",
                 .schema = ZR_SCHEMA_OF("direction")},
@@ -64,14 +65,20 @@ static bool read_plane(struct zr_json *json, const struct zr_json_path *path, st
 {
     struct given_plane given = {.fraction = 0.5};
     const size_t faults = json->error->count;
+    double *exact = given.point;
     uint64_t keys;
     if (!zr_json_fields(json, path, &zr_json_object_plane, &given, &keys) || json->error->count > faults) return false;
-    *out = (struct zr_section){.keep = (enum zr_section_keep)given.keep,
-                               .normal = {(double)given.normal.x, (double)given.normal.y, (double)given.normal.z},
-                               .point = {(double)given.point.x, (double)given.point.y, (double)given.point.z}};
+    *out = (struct zr_section){
+        .keep = (enum zr_section_keep)given.keep,
+        .normal = {(double)given.normal.x, (double)given.normal.y, (double)given.normal.z},
+        .point = {(double)(float)given.point[0], (double)(float)given.point[1], (double)(float)given.point[2]}};
+    if (!zr_json_gives(keys, NORMAL)) {
+        out->normal[given.axis] = 1.0;
+        out->point[given.axis] = exact[given.axis] = given.offset;
+    }
+    for (int axis = 0; json->far && axis < 3; axis++)
+        out->point[axis] = exact[axis] - json->far->origin[axis];
     if (zr_json_gives(keys, NORMAL)) return true;
-    out->normal[given.axis] = 1.0;
-    out->point[given.axis] = given.offset;
     out->fraction = given.fraction;
     out->has_fraction = !zr_json_gives(keys, OFFSET);
     return true;

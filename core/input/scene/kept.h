@@ -38,6 +38,7 @@ struct zr_kept {
     struct zr_growing meshes;   /* struct zr_parsed_mesh */
     const uint8_t *uses;        /* of its assets: 1 if the meshes or polygons use it */
     const struct zr_soup *soup; /* or NULL */
+    const struct zr_far *far;   /* of a far scene (text/recenter.h); or NULL */
 
     struct zr_read_model bare; /* of a bare mesh */
 };

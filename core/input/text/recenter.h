@@ -66,6 +66,33 @@ static inline zr_vec4 zr_recenter_position(const double v[3], const double *orig
     return (zr_vec4){(float)(v[0] - origin[0]), (float)(v[1] - origin[1]), (float)(v[2] - origin[2]), 1};
 }
 
+/* What is subtracted from the numbers of a scene in JSON that is far from the origin. Such a scene is read twice: the
+ * first time to find these numbers, which are floats. */
+struct zr_far {
+    double move[3];   /* from positions of lists, which nodes may place; (0, 0, 0): nothing */
+    double origin[3]; /* from places in world space: the scene's new origin; (0, 0, 0): nothing */
+};
+
+/* True if the numbers are not (0, 0, 0). */
+static inline bool zr_far_moves(const double by[3])
+{
+    return by[0] != 0.0 || by[1] != 0.0 || by[2] != 0.0;
+}
+
+/* Returns a homogeneous position minus the move. */
+static inline zr_vec4 zr_far_position(const struct zr_far *far, const double v[3], double w)
+{
+    return (zr_vec4){(float)(v[0] - far->move[0] * w), (float)(v[1] - far->move[1] * w),
+                     (float)(v[2] - far->move[2] * w), (float)w};
+}
+
+/* Returns a place in world space minus the origin of `far`, which may be NULL. */
+static inline zr_vec3 zr_far_place(const struct zr_far *far, const double v[3])
+{
+    const zr_vec4 at = zr_recenter_position(v, far ? far->origin : NULL);
+    return (zr_vec3){at.x, at.y, at.z};
+}
+
 /* Largest magnitude of a coordinate before its origin is subtracted. */
 static inline double zr_recenter_limit(const struct zr_limits *limits)
 {

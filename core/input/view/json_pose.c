@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "input/text/recenter.h"
 #include "scene/camera/camera.h"
 #include "scene/camera/upright.h"
 
@@ -78,11 +79,14 @@ static bool check_rotation(struct zr_json *json, const struct zr_json_path *path
            zr_json_fault(json, path, "not a rotation but a reflection: its determinant is negative");
 }
 
-/* X_camera = R X_world + t, as in OpenCV. */
-static zr_mat4 matrix_of(const double r[9], zr_vec3 t)
+/* X_camera = R X_world + t, as in OpenCV. `far`: X_world is relative to its origin; or NULL. */
+static zr_mat4 matrix_of(const double r[9], const double given[3], const struct zr_far *far)
 {
+    double t[3] = {given[0], given[1], given[2]};
+    for (int i = 0; far && i < 3; i++)
+        t[i] += r[3 * i] * far->origin[0] + r[3 * i + 1] * far->origin[1] + r[3 * i + 2] * far->origin[2];
     return (zr_mat4){{(float)r[0], (float)r[3], (float)r[6], 0, (float)r[1], (float)r[4], (float)r[7], 0, (float)r[2],
-                      (float)r[5], (float)r[8], 0, t.x, t.y, t.z, 1}};
+                      (float)r[5], (float)r[8], 0, (float)t[0], (float)t[1], (float)t[2], 1}};
 }
 
 /* Converts from OpenCV's camera (y down, looks along +z) to OpenGL's: the rows y and z change sign. Subtraction from
@@ -99,7 +103,7 @@ static void find_matrix(struct zr_parsed_view *given)
     zr_mat4 *out = &given->view.world_to_camera, inverse;
     if (zr_view_gives(given, ZR_VIEW_WORLD_TO_CAMERA)) check_inverse(given, ZR_VIEW_WORLD_TO_CAMERA, out, &inverse);
     if (zr_view_gives(given, ZR_VIEW_R) && check_rotation(given->json, ZR_VIEW_PATH(given, ZR_VIEW_R), given->r))
-        *out = matrix_of(given->r, given->t);
+        *out = matrix_of(given->r, given->t, given->json->far);
     if (zr_view_gives(given, ZR_VIEW_CAMERA_TO_WORLD))
         check_inverse(given, ZR_VIEW_CAMERA_TO_WORLD, &given->camera_to_world, out);
     if (given->convention == ZR_CONVENTION_OPENCV) flip_camera(out);
@@ -125,10 +129,14 @@ void zr_view_find_pose(struct zr_parsed_view *given)
         if (!zr_view_gives(given, ZR_VIEW_PROJECTION_MATRIX)) return;
         view->pose = ZR_POSE_MATRIX; /* as in OpenGL: projectionMatrix alone maps the world to clip space */
         view->world_to_camera = zr_mat4_identity();
+        for (int axis = 0; given->json->far && axis < 3; axis++)
+            view->world_to_camera.m[12 + axis] = (float)given->json->far->origin[axis];
         return;
     }
     view->pose = form->pose;
     view->preset = (enum zr_preset)given->preset;
+    if (given->json->far && view->pose == ZR_POSE_LOOK_AT && !zr_view_gives(given, ZR_VIEW_TARGET))
+        view->target = zr_far_place(given->json->far, (const double[]){0, 0, 0});
     view->has_target = view->pose == ZR_POSE_ORBIT && zr_view_gives(given, ZR_VIEW_TARGET);
     find_up(given);
     if (view->pose == ZR_POSE_DIRECTION) check_direction(given);

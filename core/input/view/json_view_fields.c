@@ -5,6 +5,7 @@
 #include "input/json/json_matrix.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "input/text/recenter.h"
 #include "input/view/view_keys.h"
 
 #define ANGLE_MAX    1e6 /* degrees: larger angles are taken for mistakes */
@@ -22,6 +23,32 @@ static bool read_rows(struct zr_json *json, const struct zr_json_path *path, voi
     bool nested;
     if (!zr_json_square(json, path, 3, path->field->high, m, &nested)) return false;
     memcpy(out, m, sizeof m);
+    return true;
+}
+
+/* zr_mat4. Subtracts the origin of a far scene in doubles. */
+static bool read_camera_to_world(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    struct zr_matrix exact;
+    zr_mat4 *rounded = out;
+    if (!zr_json_affine_exact(json, path, rounded, &exact)) return false;
+    for (int axis = 0; json->far && axis < 3; axis++)
+        rounded->m[12 + axis] = (float)(exact.m[12 + axis] - json->far->origin[axis]);
+    return true;
+}
+
+/* zr_mat4, likewise. */
+static bool read_world_to_camera(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    struct zr_matrix exact;
+    zr_mat4 *rounded = out;
+    double at[4];
+    if (!zr_json_affine_exact(json, path, rounded, &exact)) return false;
+    if (!json->far) return true;
+    const double *o = json->far->origin, origin[4] = {o[0], o[1], o[2], 1.0};
+    zr_matrix_apply(&exact, origin, at);
+    for (int axis = 0; axis < 3; axis++)
+        rounded->m[12 + axis] = (float)at[axis];
     return true;
 }
 
@@ -75,8 +102,8 @@ static const struct zr_names convention_names = ZR_NAMES(2, conventions);
 #define AT(member)   offsetof(struct zr_parsed_view, member)
 #define VIEW(member) offsetof(struct zr_parsed_view, view.member)
 const struct zr_json_field zr_view_fields[] = {
-    [ZR_VIEW_EYE] = {"eye", zr_json_vec3, VIEW(eye), .unit = "scene units", .text = "position of the camera"},
-    [ZR_VIEW_TARGET] = {"target", zr_json_vec3, VIEW(target), .unit = "scene units",
+    [ZR_VIEW_EYE] = {"eye", zr_json_place, VIEW(eye), .unit = "scene units", .text = "position of the camera"},
+    [ZR_VIEW_TARGET] = {"target", zr_json_place, VIEW(target), .unit = "scene units",
                         .text = "point in the middle of the view"},
     [ZR_VIEW_UP] = {"up", zr_json_vec3, VIEW(up), .otherwise = "the scene's",
                     .text = "direction that points up in the picture"},
@@ -92,12 +119,13 @@ const struct zr_json_field zr_view_fields[] = {
                                    .text = "angle of the camera above the horizon"},
     [ZR_VIEW_DISTANCE] = {"distance", zr_json_positive, VIEW(distance), .unit = "scene units",
                           .otherwise = "fitted to the geometry", .text = "distance from the camera to the target"},
-    [ZR_VIEW_CAMERA_TO_WORLD] = {"cameraToWorld", zr_json_affine, AT(camera_to_world), .text = "pose as a matrix"},
-    [ZR_VIEW_WORLD_TO_CAMERA] = {"worldToCamera", zr_json_affine, VIEW(world_to_camera),
-                                 .text = "inverse of the pose as a matrix"},
+    [ZR_VIEW_CAMERA_TO_WORLD] = {"cameraToWorld", read_camera_to_world, AT(camera_to_world), .text = "pose as a matrix",
+                                 .schema = ZR_SCHEMA_OF("affine")},
+    [ZR_VIEW_WORLD_TO_CAMERA] = {"worldToCamera", read_world_to_camera, VIEW(world_to_camera),
+                                 .text = "inverse of the pose as a matrix", .schema = ZR_SCHEMA_OF("affine")},
     [ZR_VIEW_R] = {"R", read_rows, AT(r), 0, ROTATION_MAX, .text = "OpenCV's rotation from the world to the camera",
                    .schema = ZR_SCHEMA_OF("rotation")},
-    [ZR_VIEW_T] = {"t", zr_json_vec3, AT(t), .otherwise = "[0, 0, 0]", .text = "OpenCV's translation, used with R"},
+    [ZR_VIEW_T] = {"t", zr_json_doubles3, AT(t), .otherwise = "[0, 0, 0]", .text = "OpenCV's translation, used with R"},
     [ZR_VIEW_CONVENTION] = {"convention", zr_json_choice, AT(convention), .words = &convention_names,
                             .otherwise = "opengl; with R opencv",
                             .text = "axes of the camera; opencv: y down, z forward"},

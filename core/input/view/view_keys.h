@@ -48,8 +48,7 @@ struct zr_parsed_view {
     struct zr_view view;             /* defaults, overridden by the keys */
     int preset, convention;
     zr_mat4 camera_to_world;
-    double r[9], k[9];
-    zr_vec3 t;
+    double r[9], k[9], t[3];
     double pixel_center;
     struct zr_intrinsics intrinsics;
     const char *fit_mesh; /* name of the mesh to fit; NULL: all geometry */

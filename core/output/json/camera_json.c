@@ -1,5 +1,6 @@
 #include "output/json/camera_json.h"
 
+#include "base/matrix.h"
 #include "scene/camera/camera.h"
 
 /* Prints the pinhole intrinsics in pixels, (0, 0) at the top left corner, if the camera is a pinhole. */
@@ -31,7 +32,7 @@ static void print_lens(struct zr_print *print, const struct zr_lens *lens)
 }
 
 /* Prints the direction of the view in angles, for readers. */
-static void print_orbit(struct zr_print *print, const struct zr_camera *camera, bool z_is_up)
+static void print_orbit(struct zr_print *print, const struct zr_camera *camera, bool z_is_up, const double *moved)
 {
     const struct zr_orbit orbit = zr_orbit_of(camera, z_is_up);
     zr_print_string(print, "up", z_is_up ? "z" : "y");
@@ -39,14 +40,28 @@ static void print_orbit(struct zr_print *print, const struct zr_camera *camera, 
         zr_print_float(print, "azimuthDegrees", (float)orbit.azimuth_degrees);
         zr_print_float(print, "elevationDegrees", (float)orbit.elevation_degrees);
     }
-    if (orbit.has_eye) zr_print_vec3(print, "eye", orbit.eye);
+    if (orbit.has_eye) zr_print_place(print, "eye", orbit.eye, moved);
+}
+
+/* Prints the matrix from the places that the client gives: from those of the scene, if nothing was subtracted. */
+static void print_pose(struct zr_print *print, const struct zr_camera *camera, const double *moved)
+{
+    struct zr_matrix pose = zr_matrix_of(&camera->world_to_eye);
+    double *m = pose.m;
+    if (!moved) {
+        zr_print_floats(print, "worldToCamera", camera->world_to_eye.m, 16);
+        return;
+    }
+    for (int row = 0; row < 3; row++)
+        m[12 + row] -= m[row] * moved[0] + m[4 + row] * moved[1] + m[8 + row] * moved[2];
+    zr_print_doubles(print, "worldToCamera", m, 16);
 }
 
 void zr_camera_print(struct zr_print *print, const struct zr_frame *frame, bool z_is_up)
 {
     const struct zr_camera *camera = &frame->camera;
     zr_print_begin(print, "camera", '{');
-    zr_print_floats(print, "worldToCamera", camera->world_to_eye.m, 16);
+    print_pose(print, camera, frame->origin);
     zr_print_floats(print, "projectionMatrix", camera->projection.m, 16);
     print_intrinsics(print, frame);
     print_lens(print, &frame->view->lens);
@@ -54,6 +69,6 @@ void zr_camera_print(struct zr_print *print, const struct zr_frame *frame, bool 
         zr_print_float(print, "znear", camera->znear);
         zr_print_float(print, "zfar", camera->zfar);
     }
-    print_orbit(print, camera, z_is_up);
+    print_orbit(print, camera, z_is_up, frame->origin);
     zr_print_end(print, '}');
 }

@@ -174,3 +174,12 @@ void zr_print_vec3(struct zr_print *print, const char *key, zr_vec3 v)
 {
     zr_print_floats(print, key, (float[3]){v.x, v.y, v.z}, 3);
 }
+
+void zr_print_place(struct zr_print *print, const char *key, zr_vec3 v, const double *moved)
+{
+    if (!moved)
+        zr_print_vec3(print, key, v);
+    else
+        zr_print_doubles(print, key,
+                         (double[3]){(double)v.x + moved[0], (double)v.y + moved[1], (double)v.z + moved[2]}, 3);
+}

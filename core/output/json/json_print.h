@@ -52,4 +52,7 @@ void zr_print_doubles(struct zr_print *print, const char *key, const double *val
 void zr_print_floats(struct zr_print *print, const char *key, const float *values, int count);
 void zr_print_vec3(struct zr_print *print, const char *key, zr_vec3 v);
 
+/* Prints a place plus `moved`, three numbers, in doubles; NULL: as zr_print_vec3. */
+void zr_print_place(struct zr_print *print, const char *key, zr_vec3 v, const double *moved);
+
 #endif

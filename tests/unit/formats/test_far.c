@@ -9,7 +9,7 @@
 #include "unit/common/input_check.h"
 
 /* A tetrahedron of corners that doubles have and floats far from 0 have not. */
-static const double corners[4][3] = {{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.2, 0.3}, {0.1, 0.2, 1.3}};
+static double corners[4][3] = {{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.2, 0.3}, {0.1, 0.2, 1.3}};
 static const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 
 static char text[1 << 13];
@@ -97,6 +97,36 @@ static void write_3mf(const double by[3])
     put_text("</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>");
 }
 
+static void put_json(const char *nodes, const double by[3])
+{
+    put_text("{\"meshes\": [{\"positions\": [");
+    for (int i = 0; i < 4; i++)
+        put_corner(i > 0 ? ", [%.17g, %.17g, %.17g]" : "[%.17g, %.17g, %.17g]", i, by);
+    put_text("], \"faces\": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]}]");
+    put_text(nodes);
+}
+
+static void write_json(const double by[3])
+{
+    put_json("}", by);
+}
+
+/* The node turns the mesh, so that the numbers of the matrix count, too. */
+static void write_node(const double by[3])
+{
+    const double near[3] = {0, 0, 0};
+    put_json(", \"nodes\": [{\"mesh\": 0, \"rotation\": [0.5, 0.5, 0.5, 0.5], \"translation\": [", near);
+    size += (size_t)snprintf(text + size, sizeof text - size, "%.17g, %.17g, %.17g]}]}", by[0], by[1], by[2]);
+}
+
+/* Both are far. */
+static void write_far_node(const double by[3])
+{
+    put_json(", \"nodes\": [{\"mesh\": 0, \"scale\": [0.5, 0.5, 0.5], \"translation\": [", by);
+    size += (size_t)snprintf(text + size, sizeof text - size, "%.17g, %.17g, %.17g]}]}", -0.25 * by[0], -0.25 * by[1],
+                             -0.25 * by[2]);
+}
+
 /* The node is far, and has the digits. */
 static void write_gltf(const double by[3])
 {
@@ -116,9 +146,16 @@ static const struct {
     const char *name;
     enum zr_format format;
     void (*write)(const double by[3]);
-} formats[] = {{"OBJ", ZR_FORMAT_OBJ, write_obj}, {"STL", ZR_FORMAT_STL, write_stl},
-               {"PLY", ZR_FORMAT_PLY, write_ply}, {"binary PLY", ZR_FORMAT_PLY, write_binary_ply},
-               {"3MF", ZR_FORMAT_3MF, write_3mf}, {"glTF", ZR_FORMAT_GLTF, write_gltf}};
+} formats[] = {{"OBJ", ZR_FORMAT_OBJ, write_obj},
+               {"STL", ZR_FORMAT_STL, write_stl},
+               {"PLY", ZR_FORMAT_PLY, write_ply},
+               {"binary PLY", ZR_FORMAT_PLY, write_binary_ply},
+               {"3MF", ZR_FORMAT_3MF, write_3mf},
+               {"glTF", ZR_FORMAT_GLTF, write_gltf},
+               {"JSON", ZR_FORMAT_JSON, write_json},
+               {"JSON with a node", ZR_FORMAT_JSON, write_node},
+               {"JSON with a far node", ZR_FORMAT_JSON, write_far_node}};
+enum { FORMATS = sizeof formats / sizeof *formats };
 
 static struct reading *read_at(size_t format, const double by[3])
 {
@@ -170,7 +207,7 @@ TEST(far_meshes_with_holes_are_moved)
 TEST(remote_meshes_keep_their_digits)
 {
     static const double far[][3] = {{5000, 0, 0}, {0, -1e5, 3}, {408205, 580925, 5}, {9e5, 9e5, -9e5}};
-    for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
+    for (size_t f = 0; f < FORMATS; f++) {
         struct reading *near = read_at(f, (const double[3]){0, 0, 0});
         assert_null(near->scene->origin);
         for (size_t i = 0; i < sizeof far / sizeof *far; i++) {
@@ -188,6 +225,101 @@ TEST(remote_meshes_keep_their_digits)
         }
         reading_free(near);
     }
+}
+
+/* The same in object space. */
+static zr_vec4 own_side_of(const struct zr_scene *scene, uint32_t from, uint32_t to)
+{
+    const zr_vec4 *p = scene->meshes[0].positions;
+    return (zr_vec4){p[to].x - p[from].x, p[to].y - p[from].y, p[to].z - p[from].z, 0};
+}
+
+static double random_within(double low, double high)
+{
+    static uint64_t state = 1;
+    state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return low + (high - low) * ((double)(state >> 11) / 9007199254740992.0);
+}
+
+static double side_in_doubles(int from, int to, int axis)
+{
+    return corners[to][axis] - corners[from][axis];
+}
+
+/* FAR_MESHES: how many. */
+TEST(random_far_meshes_are_those_of_doubles)
+{
+    const char *wanted = getenv("FAR_MESHES");
+    const long count = wanted ? strtol(wanted, NULL, 10) : 300;
+    double worst = 0.0;
+    for (long i = 0; i < count; i++) {
+        const size_t f = (size_t)i % FORMATS;
+        const double unit = pow(10.0, random_within(-1.5, 2.0));
+        double by[3];
+        for (int k = 0; k < 4; k++)
+            for (int axis = 0; axis < 3; axis++)
+                corners[k][axis] = random_within(-unit, unit);
+        for (int axis = 0; axis < 3; axis++)
+            by[axis] = random_within(-1, 1) * 4e5;
+        by[i % 3] = (i & 1 ? -1.0 : 1.0) * fmax(6e3 * fmax(unit, 1.0), random_within(0, 8e5));
+        struct reading *reading = read_at(f, by);
+        if (!reading->scene->origin) fail_msg("%s, mesh %ld: no origin", formats[f].name, i);
+        for (int k = 0; k < 3 && formats[f].write != write_gltf; k++) {
+            const double scale = formats[f].write == write_far_node ? 0.5 : 1.0;
+            const int turn = formats[f].write == write_node;          /* x, y, z becomes z, x, y */
+            const bool is_json = formats[f].format == ZR_FORMAT_JSON; /* others may be turned upright */
+            const zr_vec4 own =
+                is_json ? side_of(reading->scene, 0, (uint32_t)k + 1) : own_side_of(reading->scene, 0, (uint32_t)k + 1);
+            const float at[3] = {own.x, own.y, own.z};
+            const bool is_stl = formats[f].format == ZR_FORMAT_STL; /* corners of its first face: 0, 2, 1 */
+            for (int axis = 0; axis < 3 && (!is_stl || k < 2); axis++) {
+                const int to = is_stl ? 2 - k : k + 1;
+                const double want = scale * side_in_doubles(0, to, turn ? (axis + 2) % 3 : axis);
+                worst = fmax(worst, fabs((double)at[axis] - want) / (scale * unit));
+                if (fabs((double)at[axis] - want) > 1e-6 * scale * unit)
+                    fail_msg("%s, mesh %ld, side %d: %.9g, not %.9g", formats[f].name, i, k, (double)at[axis], want);
+            }
+        }
+        reading_free(reading);
+    }
+    if (wanted) print_message("%ld far meshes: at most %.3g of their size\n", count, worst);
+    memcpy(corners, (const double[4][3]){{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.2, 0.3}, {0.1, 0.2, 1.3}},
+           sizeof corners);
+}
+
+/* Places of a scene are moved with it, in doubles, from the numbers of the text. */
+TEST(places_of_a_far_scene_are_moved_in_doubles)
+{
+#define FAR_SCENE(view)                                                                                                \
+    "{\"meshes\": [{\"positions\": [[500000,0,0],[500001,0,0],[500000,1,0]], \"faces\": [[0,1,2]]}], \"view\": {" view \
+    "}, \"lights\": [{\"type\": \"point\", \"position\": [500000.123, 1, 2]}, {\"type\": \"point\", \"frame\": "       \
+    "\"camera\", \"position\": [1, 2, 3]}], \"sections\": {\"planes\": [{\"axis\": \"x\", \"offset\": 500000.321}, "   \
+    "{\"point\": [500000.4567, 0, 0], \"normal\": [1, 1, 0]}]}}"
+    struct reading *reading =
+        read_text(ZR_FORMAT_JSON, FAR_SCENE("\"eye\": [500000.0123, 0.5, 4], \"target\": [500000.25, 0.5, 0]"));
+    assert_read(reading);
+    const struct zr_scene *scene = reading->scene;
+    const double *o = scene->origin;
+    assert_non_null(o);
+    assert_true(scene->adds_origin);
+    assert_true(fabs((double)scene->views[0].eye.x + o[0] - 500000.0123) < 1e-7);
+    assert_true(fabs((double)scene->views[0].target.x + o[0] - 500000.25) < 1e-7);
+    assert_true(fabs((double)scene->lights[0].position.x + o[0] - 500000.123) < 1e-7);
+    assert_true(scene->lights[1].position.x == 1.0f);
+    assert_true(fabs(scene->sections.planes[0].point[0] + o[0] - 500000.321) < 1e-7);
+    assert_true(fabs(scene->sections.planes[1].point[0] + o[0] - 500000.4567) < 1e-7);
+    reading_free(reading);
+    reading = read_text(ZR_FORMAT_JSON, FAR_SCENE("\"R\": [1,0,0,0,1,0,0,0,1], \"t\": [-500000.0123, 0.5, 4]"));
+    assert_read(reading);
+    o = reading->scene->origin;
+    assert_true(fabs((double)reading->scene->views[0].world_to_camera.m[12] - (o[0] - 500000.0123)) < 1e-7);
+    reading_free(reading);
+    reading = read_text(ZR_FORMAT_JSON, FAR_SCENE("\"cameraToWorld\": [1,0,0,0,0,1,0,0,0,0,1,0,500000.0123,0.5,4,1]"));
+    assert_read(reading);
+    o = reading->scene->origin;
+    assert_true(fabs((double)reading->scene->views[0].world_to_camera.m[12] - (o[0] - 500000.0123)) < 1e-7);
+    reading_free(reading);
+#undef FAR_SCENE
 }
 
 /* The rule is relative: a small mesh is remote at a distance at which a large one is not. */

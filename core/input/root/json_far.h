@@ -1,0 +1,15 @@
+/* json_far.h - input: scenes in JSON that are far from the origin (text/recenter.h).
+ *
+ *     read the scene; if zr_far_find finds numbers to subtract, read it again with them
+ */
+#ifndef ZR_JSON_FAR_H
+#define ZR_JSON_FAR_H
+
+#include "input/scene/json_scene.h"
+#include "input/text/recenter.h"
+
+/* Finds what to subtract from the doubles of a scene that was read without: the middle of remote lists of positions,
+ * and the middle of a remote scene. False if nothing is far. */
+bool zr_far_find(const struct zr_parsed_scene *root, struct zr_far *far);
+
+#endif
