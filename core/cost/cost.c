@@ -92,7 +92,7 @@ enum {
 };
 
 /* Pixels of a cell. */
-#define CELL_PIXELS 64.0
+#define CELL_PIXELS ((double)ZR_CELL_PIXELS * ZR_CELL_PIXELS)
 
 static double bytes_of_channels(const struct zr_view *view)
 {

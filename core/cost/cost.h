@@ -43,10 +43,11 @@
     ROW(EDGE_WIDTH_SAMPLE, 0.02, "samples times the width of edges")                                                   \
     ROW(DRAWN_TRIANGLE, 1000.0, "triangles whose lines are found")                                                     \
     ROW(DRAWN_PIXEL, 4.0, "fine pixels of faces in which lines are found, hidden ones too")                            \
-    ROW(DRAWN_PAIR, 0.35, "pairs of triangles within 8 x 8 pixels, for lines of the mesh")                             \
+    ROW(DRAWN_PAIR, 0.35, "pairs of triangles within 16 x 16 fine pixels, for lines of the mesh")                      \
     ROW(FRAME_OBJECT, 500.0, "objects of the file that frames read again")                                             \
     ROW(CUT_PIXEL, 8.0, "pixels that the painter compares for faces that cut one another")                             \
-    ROW(DRAWN_CROSSING, 50.0, "pairs of triangles that cut one another within 8 x 8 pixels, for lines of the mesh")    \
+    ROW(DRAWN_CROSSING, 50.0,                                                                                          \
+        "pairs of triangles that cut one another within 16 x 16 fine pixels, for lines of the mesh")                   \
     ROW(MAP_TEXEL, 18.0, "texels of shadow maps")                                                                      \
     ROW(MAP_FRAGMENT, 0.24, "texels of faces in shadow maps")                                                          \
     ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \

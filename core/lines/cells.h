@@ -1,4 +1,4 @@
-/* cells.h - lines: lists of the triangles that hide lines, by cells of 8 x 8 pixels.
+/* cells.h - lines: lists of the triangles that hide lines, by cells of 16 x 16 pixels.
  *
  * Space:  window_view.h. Cell 0 begins ZR_WINDOW_MARGIN to the left of and below the window.
  * How:    a triangle is listed in the cells that it overlaps, or that are within 1e-5 pixel of it.
@@ -10,7 +10,7 @@
 #include "base/run.h"
 #include "lines/window_mesh.h"
 
-enum { ZR_CELL_PIXELS = 8 };
+enum { ZR_CELL_PIXELS = 16 };
 
 /* A box within a cell, rounded outwards, in ZR_BOX_STEPS per pixel from the cell's lower left. */
 struct zr_cell_box {
@@ -27,7 +27,7 @@ struct zr_cell_entry {
 
 enum { ZR_CELL_UNSORTED_MOST = 512 };
 
-enum { ZR_BOX_STEPS = 32, ZR_CELL_STEPS = ZR_BOX_STEPS * ZR_CELL_PIXELS }; /* 256 */
+enum { ZR_BOX_STEPS = 16, ZR_CELL_STEPS = ZR_BOX_STEPS * ZR_CELL_PIXELS }; /* 256 */
 
 struct zr_cells {
     uint32_t columns, rows;

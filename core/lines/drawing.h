@@ -6,7 +6,7 @@
  *     features.h          borders, contours, creases
  *     chains.h            hysteresis of creases
  *     lines.h             segments in the window
- *     cells.h             lists of triangles per 8 x 8 pixels
+ *     cells.h             lists of triangles per 16 x 16 pixels
  *     intersections.h     lines between pieces
  *     hidden_parts.h      exact visibility
  *     line_pieces.h       visible and hidden pieces, seams

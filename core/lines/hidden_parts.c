@@ -3,8 +3,8 @@
 #include "base/cancel.h"
 #include "base/run.h"
 
-/* Parts within a cell: a cell holds less than 12 pixels of a line, and parts are a gap apart from one another. */
-enum { PARTS_PER_CELL = 32, PARTS_KEPT = 4, LINES_PER_RANGE = 16, HIDERS_PER_CANCEL_CHECK = 1 << 14 };
+/* Parts within a cell: a cell holds less than 23 pixels of a line, and parts are a gap apart from one another. */
+enum { PARTS_PER_CELL = 48, PARTS_KEPT = 4, LINES_PER_RANGE = 16, HIDERS_PER_CANCEL_CHECK = 1 << 14 };
 
 /* Widens the boxes of lines, in pixels: more than rounding moves them. */
 static const double box_rim = 1e-4;

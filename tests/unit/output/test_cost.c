@@ -159,8 +159,9 @@ TEST(triangles_of_one_cell_are_counted_in_pairs)
     half_a_window();
     test.picture.is_linear = true;
     test.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
-    const double cells = FINE_PIXELS / 4 / 64.0 + 1, across = (WIDTH / 2 + HEIGHT) * sqrt(FINE_PIXELS / (double)PIXELS);
-    const double of_face = fmin(1 + FINE_PIXELS / 4 / 64.0 + across / 8.0, cells);
+    const double cells = FINE_PIXELS / 4 / 256.0 + 1,
+                 across = (WIDTH / 2 + HEIGHT) * sqrt(FINE_PIXELS / (double)PIXELS);
+    const double of_face = fmin(1 + FINE_PIXELS / 4 / 256.0 + across / 16.0, cells);
     assert_near(count(ZR_COST_DRAWN_PAIR), 4 * of_face * of_face / cells);
     test.picture.edges.is_from_mesh = false;
     assert_true(count(ZR_COST_DRAWN_PAIR) == 0);
