@@ -315,7 +315,7 @@ bool zr_json_array_floats(struct zr_json *json, const struct zr_json_path *path,
     if (!r.to) return false;
     if (r.to == array->numbers.data) r.to = NULL;
     if (!read_parts(json, path, &r)) return false;
-    return !(json->far && array->wanted->is_changed) || move_rows(json, array, r.to);
+    return !(json->far && array->wanted->is_place) || move_rows(json, array, r.to);
 }
 
 bool zr_json_array_indices(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_array *array,

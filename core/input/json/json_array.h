@@ -21,6 +21,7 @@ struct zr_array_wanted {
     bool is_color;      /* u1 is 0 to 255 for 0 to 1 */
     bool has_holes;     /* a float may be NaN */
     bool is_changed;    /* the scene may write to it: it is copied even if it is lent */
+    bool is_place;      /* positions: those of a far scene are moved (text/recenter.h) */
     double low, high;   /* of each float */
 };
 

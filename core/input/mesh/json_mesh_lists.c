@@ -45,7 +45,7 @@ static bool join_array(struct zr_json *json, void *state, const void *part)
         static const struct zr_json_list list = {'[', read_items, begin_array, join_array};                            \
         return read_array(json, path, &list, (struct zr_array_wanted){__VA_ARGS__}, limit, out);                       \
     }
-READER(zr_read_mesh_positions, zr_rows_read_positions, 0, .least = 3, .most = 4, .is_changed = true)
+READER(zr_read_mesh_positions, zr_rows_read_positions, 0, .least = 3, .most = 4, .is_changed = true, .is_place = true)
 READER(zr_read_mesh_colors, zr_rows_read_colors, 0, .least = 3, .most = 4, .is_color = true)
 READER(zr_read_mesh_normals, zr_rows_read_vec3s, 0, .least = 3, .most = 3)
 READER(zr_read_mesh_texcoords, zr_rows_read_texcoords, ZR_TEXCOORD_MAX, .least = 2, .most = 2)

@@ -26,13 +26,18 @@ struct vertex_list {
     const void *otherwise; /* item of polygons without the list; NULL: all have it */
 };
 #define AT(member) offsetof(struct zr_soup, member)
-static const struct vertex_list
-    positions_list = {AT(positions), {.least = 3, .most = 4, .is_changed = true}, zr_rows_read_positions, NULL},
-    colors_list = {AT(colors),
-                   {.least = 3, .most = 4, .is_changed = true, .is_color = true},
-                   zr_rows_read_colors,
-                   &zr_soup_white},
-    normals_list = {AT(normals), {.least = 3, .most = 3, .is_changed = true}, zr_rows_read_vec3s, &zr_soup_computed};
+static const struct vertex_list positions_list = {AT(positions),
+                                                  {.least = 3, .most = 4, .is_changed = true, .is_place = true},
+                                                  zr_rows_read_positions,
+                                                  NULL},
+                                colors_list = {AT(colors),
+                                               {.least = 3, .most = 4, .is_changed = true, .is_color = true},
+                                               zr_rows_read_colors,
+                                               &zr_soup_white},
+                                normals_list = {AT(normals),
+                                                {.least = 3, .most = 3, .is_changed = true},
+                                                zr_rows_read_vec3s,
+                                                &zr_soup_computed};
 #undef AT
 
 static struct zr_growing *items_of(const struct polygon *polygon, const struct vertex_list *of)

@@ -1,5 +1,6 @@
 #include "input/root/json_far.h"
 
+#include "base/rounded.h"
 #include "input/mesh/parsed_mesh.h"
 
 /* Positions or instances between two checks for cancellation. */
@@ -19,7 +20,7 @@ static bool is_remote(const struct zr_box *box)
 static void find_middle(const struct zr_box *box, double out[3])
 {
     for (int axis = 0; axis < 3; axis++)
-        out[axis] = is_remote(box) ? (double)(float)(box->low[axis] / 2.0 + box->high[axis] / 2.0) : 0.0;
+        out[axis] = is_remote(box) ? zr_rounded(box->low[axis] / 2.0 + box->high[axis] / 2.0) : 0.0;
 }
 
 static bool is_list(const struct zr_parsed_scene *root, uint32_t mesh)

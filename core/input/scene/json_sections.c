@@ -1,4 +1,5 @@
 /* Reads sections: planes that cut the scene open. */
+#include "base/rounded.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/text/recenter.h"
@@ -71,7 +72,7 @@ static bool read_plane(struct zr_json *json, const struct zr_json_path *path, st
     *out = (struct zr_section){
         .keep = (enum zr_section_keep)given.keep,
         .normal = {(double)given.normal.x, (double)given.normal.y, (double)given.normal.z},
-        .point = {(double)(float)given.point[0], (double)(float)given.point[1], (double)(float)given.point[2]}};
+        .point = {zr_rounded(given.point[0]), zr_rounded(given.point[1]), zr_rounded(given.point[2])}};
     if (!zr_json_gives(keys, NORMAL)) {
         out->normal[given.axis] = 1.0;
         out->point[given.axis] = exact[given.axis] = given.offset;

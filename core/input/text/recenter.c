@@ -1,5 +1,7 @@
 #include "input/text/recenter.h"
 
+#include "base/rounded.h"
+
 bool zr_box_is_remote(const struct zr_box *box, double sizes)
 {
     double size = 0.0, middle = 0.0;
@@ -44,7 +46,7 @@ enum zr_status zr_recenter_origin(struct zr_arena *arena, const struct zr_box *b
     for (int axis = 0; middle && axis < 3; axis++)
         middle[axis] = box->low[axis] + (box->high[axis] - box->low[axis]) / 2.0;
     for (int axis = 0; middle && !is_far && axis < 3; axis++)
-        middle[axis] = (double)(float)middle[axis];
+        middle[axis] = zr_rounded(middle[axis]);
     *origin = middle;
     return middle ? ZR_OK : ZR_NO_MEMORY;
 }

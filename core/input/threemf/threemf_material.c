@@ -1,7 +1,6 @@
 /* Materials of 3MF: one per texture that a placed mesh uses. */
 #include "input/images/image_list.h"
 #include "input/threemf/threemf_file.h"
-#include "render_request.h"
 #include "scene/texture.h"
 
 struct making {

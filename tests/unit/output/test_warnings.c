@@ -181,8 +181,6 @@ TEST(strict_ends_as_soon_as_a_warning_is_known)
         int step;
     } cases[] = {
         {"{" POLYGONS "}", NULL, 3},
-        {"{\"view\": {\"preset\": \"front\"}, \"polygons\": [{\"vertices\": [[9e5,0,0],[9.00001e5,0,0],[9e5,1,0]]}]}",
-         "small and far from the origin", 0},
         {MESH("\"faces\": [[0,1,2],[0,1,1]]"), "fewer than three distinct corners", 2},
         {"{\"view\": {\"eye\": [0,0,-5]}, " POLYGONS "}", "nothing is visible", 2},
         {"{" POLYGONS ", \"outputs\": [{\"channel\": \"depth\", \"encoding\": \"png16\", \"scale\": 1e-6}]}",
