@@ -2,8 +2,7 @@
 #ifndef ZR_ROUNDED_H
 #define ZR_ROUNDED_H
 
-/* gcc 12 at -O3 drops both conversions of (double)(float)v where it makes vectors of them. It keeps those through
- * memory. */
+/* gcc 12 drops both conversions of (double)(float)v where it makes a vector of several. It keeps those through memory. */
 static inline double zr_rounded(double v)
 {
     volatile float rounded = (float)v;

@@ -3,6 +3,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#include "base/rounded.h"
 #include "base/status.h"
 #include "base/team.h"
 #include "base/trig.h"
@@ -167,6 +168,27 @@ TEST(matrix_without_inverse_is_refused)
 {
     zr_mat4 m = {{1, 2, 3, 4, 2, 4, 6, 8, 0, 0, 1, 0, 0, 0, 0, 1}}, inverse;
     assert_false(zr_mat4_invert(&m, &inverse));
+}
+
+struct three {
+    double v[3];
+};
+
+static __attribute__((noinline)) void give(struct three *out)
+{
+    for (int k = 0; k < 3; k++)
+        out->v[k] = 0.1 * (k + 1);
+}
+
+TEST(doubles_beside_one_another_are_rounded)
+{
+    struct three given, out;
+    give(&given);
+    out = (struct three){{zr_rounded(given.v[0]), zr_rounded(given.v[1]), zr_rounded(given.v[2])}};
+    for (int k = 0; k < 3; k++) {
+        volatile const float rounded = (float)given.v[k];
+        assert_true(out.v[k] == (double)rounded && out.v[k] != given.v[k]);
+    }
 }
 
 RUN_TESTS(NULL, NULL)
