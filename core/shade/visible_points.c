@@ -32,6 +32,7 @@ struct points {
     struct zr_matrix projection, to_world;
     const struct zr_source_instance *last; /* instance of to_object */
     struct zr_matrix to_object;
+    bool is_invertible;
     struct points *target; /* of the channel flow; NULL: not wanted */
     struct shown shown[REMEMBERED];
 };
@@ -179,14 +180,24 @@ static void eye_point(const struct points *points, double x, double y, double de
 }
 
 /* Computes each corner's share of the sample, as homogeneous points. These shares lie within 0..1 wherever the corners
- * are. Shares of positions do not if some w is negative. */
-static void find_parts(const struct shown *shown, double x, double y, double out[3])
+ * are. Shares of positions do not if some w is negative. False at a rim: the triangle covers the sample on the grid of
+ * coverage, but its plane meets the ray beside it, so the shares are of another point. */
+static bool find_parts(const struct shown *shown, double x, double y, double out[3])
 {
     const double one = plane_at(&shown->one, x, y);
-    out[1] = kept_within(plane_at(&shown->parts[0], x, y) / one, 0.0, 1.0);
-    out[2] = kept_within(plane_at(&shown->parts[1], x, y) / one, 0.0, 1.0 - out[1]);
+    const double second = plane_at(&shown->parts[0], x, y) / one, third = plane_at(&shown->parts[1], x, y) / one;
+    out[1] = kept_within(second, 0.0, 1.0);
+    out[2] = kept_within(third, 0.0, 1.0 - out[1]);
     out[0] = 1.0 - out[1] - out[2];
+    return out[1] == second && out[2] == third;
 }
+
+/* The point of a sample. */
+struct sample {
+    double eye[4]; /* in eye space */
+    double parts[3];
+    bool is_rim; /* the parts are of another point */
+};
 
 static void put_shares(const struct shown *shown, const double parts[3], float *out)
 {
@@ -195,12 +206,21 @@ static void put_shares(const struct shown *shown, const double parts[3], float *
         out[k] = shown->corners[0] && all != 0.0 ? (float)(parts[k] * shown->w[k] / all) : 0.0f;
 }
 
-/* Computes the point in object space. Triangles use their corners, since a flattened instance has no inverse; lines get
- * 0 then. */
-static void find_in_object(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
-                           double out[4])
+/* Finds the inverse of the instance's matrix. False if it is flattened: the inverse is 0. */
+static bool has_inverse(struct points *points, const struct shown *shown)
 {
-    if (shown->corners[0]) {
+    if (points->last != shown->instance)
+        points->is_invertible = zr_matrix_invert(&shown->instance->object_to_eye, &points->to_object);
+    points->last = shown->instance;
+    return points->is_invertible;
+}
+
+/* Computes the point in object space. Triangles use their corners, since a flattened instance has no inverse; lines get
+ * 0 then. At a rim, it is the point with the depth of the pixel, as in the other spaces. */
+static void find_in_object(struct points *points, const struct shown *shown, const struct sample *sample, double out[4])
+{
+    const double *parts = sample->parts;
+    if (shown->corners[0] && !(sample->is_rim && has_inverse(points, shown))) {
         memset(out, 0, 4 * sizeof *out);
         for (int k = 0; k < 3; k++) {
             const zr_vec4 *p = shown->corners[k];
@@ -211,9 +231,8 @@ static void find_in_object(struct points *points, const struct shown *shown, con
         }
         return;
     }
-    if (points->last != shown->instance) (void)zr_matrix_invert(&shown->instance->object_to_eye, &points->to_object);
-    points->last = shown->instance;
-    zr_matrix_apply(&points->to_object, eye, out);
+    (void)has_inverse(points, shown);
+    zr_matrix_apply(&points->to_object, sample->eye, out);
 }
 
 /* Returns the numbers that readers subtracted from places in the space, or NULL. */
@@ -223,13 +242,15 @@ static const double *moved_by(const struct points *points, const struct shown *s
     return points->space == ZR_SPACE_OBJECT ? shown->instance->mesh->move : NULL;
 }
 
-static void put_position(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
-                         float *out)
+static void put_position(struct points *points, const struct shown *shown, const struct sample *sample, float *out)
 {
+    const double *eye = sample->eye;
+    struct sample own = *sample;
     const enum zr_space space = ZR_MUTANT(positions_of_the_camera, points->space, ZR_SPACE_CAMERA);
     double placed[4] = {eye[0], eye[1], eye[2], 1.0};
+    if (space == ZR_SPACE_NOCS) own.is_rim = false; /* within the box */
     if (space == ZR_SPACE_WORLD) zr_matrix_apply(&points->to_world, eye, placed);
-    if (space >= ZR_SPACE_OBJECT) find_in_object(points, shown, eye, parts, placed);
+    if (space >= ZR_SPACE_OBJECT) find_in_object(points, shown, &own, placed);
     const double *moved = moved_by(points, shown);
     for (int k = 0; k < 3; k++) {
         double value = placed[3] != 0.0 ? placed[k] / placed[3] : placed[k];
@@ -318,14 +339,14 @@ static bool is_seen(const struct points *points, const struct shown *shown, cons
 
 /* Writes the way of the point to the target, x to the right and y down, and 1: visible, 0: behind another surface, -1:
  * outside of the target's view. NaN if it is not in front of the target's camera. */
-static void put_flow(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
-                     double x, double y, float *out)
+static void put_flow(struct points *points, const struct shown *shown, const struct sample *sample, double x, double y,
+                     float *out)
 {
     const struct zr_frame *frame = points->target->frame;
     const double width = (double)frame->width, height = (double)frame->height;
     double object[4], there[4], clip[4];
     out[0] = out[1] = out[2] = NAN;
-    find_in_object(points, shown, eye, parts, object);
+    find_in_object(points, shown, sample, object);
     if (object[3] == 0.0) return; /* a line of a flattened mesh */
     zr_matrix_apply(&moved_instance(points, shown)->object_to_eye, object, there);
     for (int k = 0; k < 3; k++)
@@ -353,16 +374,16 @@ static void put_sample(struct points *points, const struct shown *shown, double 
     float *shares = points->frame->channels[ZR_CHANNEL_BARYCENTRICS];
     float *texcoord = points->frame->channels[ZR_CHANNEL_TEXCOORD];
     float *flow = points->frame->channels[ZR_CHANNEL_FLOW];
-    double eye[4], parts[3] = {0, 0, 0};
+    struct sample sample = {.is_rim = false};
     const double depth = depth_at(shown, x, y);
-    eye_point(points, x, y, depth, eye);
+    eye_point(points, x, y, depth, sample.eye);
     const bool is_parallel = ZR_MUTANT(distance_is_depth, points->eye.w == 0.0f, true);
-    if (distance) distance[pixel] = (float)(is_parallel ? depth : length_from(points->eye, eye));
-    if (shown->corners[0]) find_parts(shown, x, y, parts);
-    if (position) put_position(points, shown, eye, parts, position + 3 * pixel);
-    if (shares) put_shares(shown, parts, shares + 3 * pixel);
-    if (texcoord) put_texcoord(shown, parts, texcoord + 2 * pixel);
-    if (flow) put_flow(points, shown, eye, parts, x, y, flow + 3 * pixel);
+    if (distance) distance[pixel] = (float)(is_parallel ? depth : length_from(points->eye, sample.eye));
+    if (shown->corners[0]) sample.is_rim = !find_parts(shown, x, y, sample.parts);
+    if (position) put_position(points, shown, &sample, position + 3 * pixel);
+    if (shares) put_shares(shown, sample.parts, shares + 3 * pixel);
+    if (texcoord) put_texcoord(shown, sample.parts, texcoord + 2 * pixel);
+    if (flow) put_flow(points, shown, &sample, x, y, flow + 3 * pixel);
 }
 
 static void put_clear_values(const struct zr_frame *frame, size_t pixel)
@@ -400,11 +421,11 @@ void zr_visible_point_find(const struct zr_geometry *geometry, const struct zr_e
 {
     struct points points = points_of(geometry, kernel, ZR_SPACE_WORLD, frame);
     const struct shown *shown = shown_of(&points, owner);
-    const double z = depth_at(shown, (double)x, (double)y), no_parts[3] = {0, 0, 0};
-    double eye[4];
-    eye_point(&points, (double)x, (double)y, z, eye);
+    const double z = depth_at(shown, (double)x, (double)y);
+    struct sample sample = {.is_rim = false};
+    eye_point(&points, (double)x, (double)y, z, sample.eye);
     *depth = (float)z;
-    put_position(&points, shown, eye, no_parts, position);
+    put_position(&points, shown, &sample, position);
 }
 
 void zr_visible_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,

@@ -4,6 +4,8 @@
  * Space:  the channel's; eye space is the camera's.
  * Exact:  in double, on the plane of the channel depth (eye_depth.h), so -z of a point in eye space is its depth.
  *         Barycentrics are linear on the mesh's own triangle, independent of clipping.
+ *         Positions and flow are of one point, that with the pixel's depth on its ray, also at rims, where
+ *         barycentrics and texture coordinates are kept within the triangle.
  */
 #ifndef ZR_VISIBLE_POINTS_H
 #define ZR_VISIBLE_POINTS_H

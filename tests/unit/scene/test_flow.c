@@ -136,6 +136,48 @@ static void check(const char *from, const char *to, const char *matrix, const ch
     reading_free(there.reading);
 }
 
+/* Without a motion, the flow is 0 in every pixel, and positions in both spaces are of one point: also at rims, where a
+ * triangle covers a sample on the grid of coverage, and its plane meets the ray beside it. */
+static void check_still(const char *view)
+{
+    char outputs[512];
+    struct shot shots[2];
+    for (int k = 0; k < 2; k++) {
+        snprintf(outputs, sizeof outputs,
+                 ", {\"channel\": \"flow\", \"to\": {\"view\": %s}}, {\"channel\": \"position\", \"space\": \"%s\"}",
+                 view, k ? "world" : "object");
+        shots[k] = shoot(view, MOVED, outputs);
+    }
+    const float *flow = shots[0].frame->channels[ZR_CHANNEL_FLOW],
+                *object = shots[0].frame->channels[ZR_CHANNEL_POSITION],
+                *world = shots[1].frame->channels[ZR_CHANNEL_POSITION];
+    const uint32_t *instances = shots[0].frame->channels[ZR_CHANNEL_INSTANCE_ID];
+    for (uint32_t i = 0; i < shots[0].frame->width * shots[0].frame->height; i++) {
+        if (instances[i] == 0) continue;
+        if (!(fabsf(flow[3 * i]) < 2e-4f && fabsf(flow[3 * i + 1]) < 2e-4f))
+            fail_msg("%s, pixel %u: flow %g %g", view, i, (double)flow[3 * i], (double)flow[3 * i + 1]);
+        const zr_mat4 *matrix = &shots[0].reading->scene->instances[instances[i] - 1].object_to_world;
+        const float *p = &object[3 * i], *w = &world[3 * i];
+        const zr_vec4 placed = zr_mat4_apply(matrix, (zr_vec4){p[0], p[1], p[2], 1});
+        if (fabsf(placed.x - w[0]) + fabsf(placed.y - w[1]) + fabsf(placed.z - w[2]) > 1e-5f)
+            fail_msg("%s, pixel %u: %g %g %g, not %g %g %g", view, i, (double)placed.x, (double)placed.y,
+                     (double)placed.z, (double)w[0], (double)w[1], (double)w[2]);
+    }
+    reading_free(shots[0].reading);
+    reading_free(shots[1].reading);
+}
+
+TEST(rims_show_the_point_with_the_depth_of_the_pixel)
+{
+    for (int i = 0; i < 40; i++) {
+        char view[128];
+        snprintf(view, sizeof view,
+                 "{\"eye\": [%.2f, %.2f, 4], \"target\": [0.5, 0.5, 0.5], \"perspective\": {\"yfovDegrees\": 50}}",
+                 3 - 0.13 * i, 2 - 0.06 * i);
+        check_still(view);
+    }
+}
+
 TEST(motion_is_that_of_doubles)
 {
     check(VIEW_HERE, VIEW_THERE, UNMOVED, "{\"view\": " VIEW_THERE "}");
