@@ -5,6 +5,8 @@
 
 #include "base/cancel.h"
 #include "base/vec.h"
+#include "input/text/names.h"
+#include "scene/camera/mesh_up.h"
 #include "scene/colormap.h"
 
 enum { POSITIONS_PER_CANCEL_CHECK = 1 << 14 };
@@ -13,16 +15,30 @@ struct coloring {
     struct zr_scene *scene;
     struct zr_arena *arena;
     int axis;
+    zr_vec4 along; /* the axis in the world */
     double low, high;
     const struct zr_color_scale *scale;
     struct zr_mesh *meshes; /* those of the scene, then the copies */
     struct zr_instance *instances;
 };
 
+/* Returns the axis in the world. A bare mesh was turned, and has the axes of its file. */
+static zr_vec4 axis_in_world(const struct zr_scene *scene, int axis)
+{
+    const int up = scene->file.up ? zr_names_find(&zr_mesh_up_names, scene->file.up) : ZR_MESH_UP_Y;
+    const zr_mat4 turn = zr_mesh_up_turn((enum zr_mesh_up)up);
+    return zr_mat4_apply(&turn, (zr_vec4){axis == 0, axis == 1, axis == 2, 0});
+}
+
+static double part_along(const struct coloring *c, zr_vec4 place)
+{
+    return (double)(c->along.x * place.x + c->along.y * place.y + c->along.z * place.z);
+}
+
 static double coordinate(const struct coloring *c, const struct zr_instance *instance, const zr_vec4 *position)
 {
     const zr_vec4 at = zr_mat4_apply(&instance->object_to_world, *position);
-    return (double)(&at.x)[c->axis] / (at.w != 0.0f ? (double)at.w : 1.0);
+    return part_along(c, at) / (at.w != 0.0f ? (double)at.w : 1.0);
 }
 
 static bool is_cancelled(const struct coloring *c, uint32_t i)
@@ -82,7 +98,7 @@ static bool are_alike(const struct coloring *c, const struct zr_instance *a, con
     for (int k = 0; k < 4; k++) {
         const zr_vec4 unit = {k == 0, k == 1, k == 2, k == 3};
         const zr_vec4 of_a = zr_mat4_apply(&a->object_to_world, unit), of_b = zr_mat4_apply(&b->object_to_world, unit);
-        if ((&of_a.x)[c->axis] != (&of_b.x)[c->axis] || of_a.w != of_b.w) return false;
+        if (part_along(c, of_a) != part_along(c, of_b) || of_a.w != of_b.w) return false;
     }
     return true;
 }
@@ -124,6 +140,7 @@ bool zr_axis_colors_apply(struct zr_scene_builder *builder)
 {
     struct zr_scene *scene = builder->scene;
     struct coloring c = {.scene = scene, .arena = builder->arena, .axis = (int)scene->parts.colors - ZR_COLORS_X};
+    c.along = axis_in_world(scene, c.axis);
     const size_t meshes = (size_t)scene->mesh_count + scene->instance_count, used = scene->mesh_count;
     if (scene->instance_count == 0) return true; /* zr_scene_validate refuses it */
     if (!find_range(&c) || !make_scale(&c)) return false;

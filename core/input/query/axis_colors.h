@@ -1,4 +1,5 @@
-/* axis_colors.h - input: colours by a coordinate in the world: heights of a terrain, depths of a scan. */
+/* axis_colors.h - input: colours by a coordinate in the world, of bare meshes in their file: heights of a terrain, depths
+ * of a scan. */
 #ifndef ZR_AXIS_COLORS_H
 #define ZR_AXIS_COLORS_H
 

@@ -1,4 +1,4 @@
-/* Colours by x, y or z in the world. */
+/* Colours by x, y or z: in the world, of bare meshes in their file. */
 #include <math.h>
 
 #include "scene/colormap.h"
@@ -69,6 +69,29 @@ TEST(far_clouds_have_the_numbers_of_their_file)
     assert_true(reading->scene->meshes[0].scale->low == 5000000.0f);
     assert_true(reading->scene->meshes[0].scale->high == 5000002.0f);
     reading_free(reading);
+}
+
+TEST(bare_meshes_are_coloured_by_the_axes_of_their_file)
+{
+    static const char text[] = "0 5000000 7\n0 5000001 8\n3 5000002 9\n";
+    static const struct {
+        const char *up, *colors;
+        float low, high;
+    } cases[] = {{"z", "z", 7, 9},
+                 {"z", "y", 5000000, 5000002},
+                 {"x", "z", 7, 9},
+                 {"y", "z", 7, 9},
+                 {"-y", "y", 5000000, 5000002}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct zr_request request = {
+            .format = ZR_FORMAT_XYZ, .look = "textbook", .colors = cases[i].colors, .up = cases[i].up};
+        struct reading *reading = read_request(request, text, sizeof text - 1, zr_limits_default(), (size_t)1 << 26);
+        assert_read(reading);
+        assert_true(is_at(reading, 0, 0, 0) && is_at(reading, 0, 1, 0.5f) && is_at(reading, 0, 2, 1));
+        assert_true(reading->scene->meshes[0].scale->low == cases[i].low);
+        assert_true(reading->scene->meshes[0].scale->high == cases[i].high);
+        reading_free(reading);
+    }
 }
 
 RUN_TESTS(NULL, NULL)
