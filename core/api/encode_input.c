@@ -10,7 +10,7 @@ static const char *copy_text(struct zr_arena *arena, const char *text)
     return text ? zr_arena_copy(arena, text, strlen(text) + 1) : NULL;
 }
 
-/* Copies names and counts of geometry. */
+/* Copies names and counts of geometry, and what was subtracted from it. */
 static void keep_meshes(struct zr_arena *arena, const struct zr_scene *from, struct zr_scene *scene)
 {
     struct zr_mesh *meshes = zr_arena_zero(arena, from->mesh_count, sizeof *meshes);
@@ -18,6 +18,7 @@ static void keep_meshes(struct zr_arena *arena, const struct zr_scene *from, str
     for (uint32_t i = 0; meshes && i < from->mesh_count; i++) {
         const struct zr_mesh *mesh = &from->meshes[i];
         meshes[i].name = copy_text(arena, mesh->name);
+        if (mesh->move) meshes[i].move = zr_arena_copy(arena, mesh->move, 3 * sizeof *mesh->move);
         meshes[i].face_count = mesh->face_count;
         meshes[i].line_count = mesh->line_count;
         meshes[i].point_count = mesh->point_count;

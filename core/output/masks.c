@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "base/cancel.h"
+#include "base/matrix.h"
 #include "output/bytes/bit_mask.h"
 #include "output/bytes/buffer.h"
 #include "output/images/mask_png.h"
@@ -153,6 +154,21 @@ static void print_runs(struct printing *p, const char *key, const struct zr_bit_
     zr_print_end(p->print, '}');
 }
 
+/* Prints the matrix between the places that the client gives: readers subtract numbers from both, if they are far. */
+static void print_place(const struct printing *p, const struct zr_scene *scene, const struct zr_instance *instance)
+{
+    const double *move = scene->meshes[instance->mesh].move, *origin = p->frame->origin;
+    struct zr_matrix exact = zr_matrix_of(&instance->object_to_world);
+    double *m = exact.m;
+    for (int row = 0; row < 3; row++)
+        m[12 + row] += (origin ? origin[row] : 0.0) -
+                       (move ? m[row] * move[0] + m[4 + row] * move[1] + m[8 + row] * move[2] : 0.0);
+    if (move || origin)
+        zr_print_doubles(p->print, "objectToWorld", m, 16);
+    else
+        zr_print_floats(p->print, "objectToWorld", instance->object_to_world.m, 16);
+}
+
 static void print_mask(struct printing *p, const struct zr_scene *scene, const struct zr_instance_mask *mask)
 {
     const struct zr_instance *instance = &scene->instances[mask->instance];
@@ -162,7 +178,7 @@ static void print_mask(struct printing *p, const struct zr_scene *scene, const s
     zr_print_count(p->print, "instanceId", UINT64_C(1) + mask->instance);
     zr_print_string(p->print, "name", scene->meshes[instance->mesh].name);
     if (instance->node) zr_print_string(p->print, "node", instance->node);
-    zr_print_floats(p->print, "objectToWorld", instance->object_to_world.m, 16);
+    print_place(p, scene, instance);
     zr_print_count(p->print, "pixels", mask->amodal.pixels);
     zr_print_count(p->print, "visiblePixels", mask->visible.pixels);
     zr_print_double(p->print, "visibleFraction", (double)mask->visible.pixels / (double)mask->amodal.pixels);

@@ -5,7 +5,7 @@
 
 #include "base/rgba.h"
 #include "base/run.h"
-#include "output/json/json_print.h"
+#include "output/json/camera_json.h"
 #include "scene/output.h"
 #include "scene/picture.h"
 #include "views/view_scene.h"
@@ -123,7 +123,7 @@ static void print_view(struct zr_print *print, const struct zr_sheet_picture *sh
     if (sheet->ymags[number] > 0.0f)
         zr_print_float(print, "unitsPerPixel", 2.0f * sheet->ymags[number] / (float)views->layout.height);
     if (sheet->shares[number] >= 0.0f) zr_print_float(print, "coveredShare", sheet->shares[number]);
-    zr_print_floats(print, "worldToCamera", camera->world_to_eye.m, 16);
+    zr_camera_print_pose(print, camera, views->scene->adds_origin ? views->scene->origin : NULL);
     zr_print_floats(print, "projectionMatrix", camera->projection.m, 16);
     zr_print_end(print, '}');
 }

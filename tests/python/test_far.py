@@ -44,6 +44,38 @@ class Far(unittest.TestCase):
         self.assertEqual(info["bounds"]["min"], list(FAR))
         self.assertNotIn("origin", info)
 
+    def test_matrices_of_instances_and_sheets_are_those_of_the_scene(self):
+        node = {"name": "n", "mesh": 0, "translation": list(FAR)}
+        mesh = {"positions": CORNERS, "faces": [[0, 1, 2]], "doubleSided": True}
+        far = {"positions": moved(FAR), "faces": [[0, 1, 2]], "doubleSided": True}
+        undone = {"name": "n", "mesh": 0, "translation": [-place for place in FAR]}
+        for scene, place in (({"meshes": [mesh], "nodes": [node]}, FAR), ({"meshes": [far]}, (0, 0, 0)),
+                             ({"meshes": [far], "nodes": [undone]}, [-place for place in FAR])):
+            info = zraster.render(dict(scene, visibility=True, view="front"), ["info"])["info"]
+            self.assertEqual(info["visibility"][0]["objectToWorld"][12:15], list(place))
+        sheet = {"meshes": [far], "views": [{"name": "one", "view": "front"}, {"name": "two", "view": "isometric"}], "sheet": "views"}
+        front = zraster.render(sheet, ["info"])["info"]["sheet"][0]["worldToCamera"]
+        self.assertEqual([round(front[12 + axis] + FAR[axis] + 0.5, 5) for axis in (0, 1)], [0, 0])
+
+    def test_homogeneous_positions_are_drawn_as_others(self):
+        def doubled(by):
+            return {"meshes": [{"positions": [[2 * place for place in corner] + [2] for corner in moved(by)], "faces": [[0, 1, 2]]}],
+                    "view": {"preset": "front"}, "window": {"width": 32, "height": 32}}
+        near, far = (zraster.render(doubled(by), ["color"])["color"] for by in ((0, 0, 0), (4e5 + 1 / 64, -3e5, 62500)))
+        self.assertTrue((far == near).all())
+
+    def test_turns_keep_the_digits_of_translations(self):
+        def turned(by):
+            node = {"name": "n", "mesh": 0, "translation": [by[0] + 1 / 64, by[1] + 1 / 64, by[2]]}
+            stands = {"mesh": 0, "translation": [by[0] - 1 / 64, by[1] - 1 / 64, by[2]]}
+            return {"meshes": [{"positions": CORNERS, "faces": [[0, 1, 2]], "doubleSided": True}],
+                    "nodes": [node, stands], "window": {"width": 32, "height": 32},
+                    "view": {"eye": list(by[:2]) + [by[2] + 4], "target": list(by)},
+                    "animate": {"frames": 2, "nodes": {"n": {"rotate": {"axis": "x", "degrees": 60}}}}}
+        near, far = (zraster.render(turned(by), ["depth"])["depth"] for by in ((0, 0, 0), (5e5, -3e5, 62500)))
+        close = abs(numpy.nan_to_num(far, posinf=0) - numpy.nan_to_num(near, posinf=0)) < 1e-5
+        self.assertGreater(close.mean(), 0.998)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -288,7 +288,11 @@ static void animate(struct reader *reader, const struct zr_keeping *keeping, con
                           number);
         else if (keeping && keeping->animation)
             node->local = zr_track_matrix(track, &keeping->moment, &own->pose, &node->local);
-        if (keeping && keeping->animation && reader->exact) reader->exact[number] = zr_matrix_of(&node->local);
+        if (!keeping || !keeping->animation || !reader->exact) continue;
+        struct zr_matrix exact = zr_matrix_of(&node->local);
+        for (int axis = 0; !track->translations && axis < 3; axis++)
+            exact.m[12 + axis] = reader->exact[number].m[12 + axis];
+        reader->exact[number] = exact;
     }
 }
 

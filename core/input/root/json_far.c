@@ -6,9 +6,11 @@
 /* Positions or instances between two checks for cancellation. */
 enum { AT_ONCE = 1 << 14 };
 
+/* Positions at infinity are no places. */
 static void include(struct zr_box *box, zr_vec4 at)
 {
-    zr_box_include(box, (const double[]){(double)at.x, (double)at.y, (double)at.z});
+    const double w = (double)at.w;
+    if (w > 0.0) zr_box_include(box, (const double[]){(double)at.x / w, (double)at.y / w, (double)at.z / w});
 }
 
 static bool is_remote(const struct zr_box *box)

@@ -43,8 +43,7 @@ static void print_orbit(struct zr_print *print, const struct zr_camera *camera, 
     if (orbit.has_eye) zr_print_place(print, "eye", orbit.eye, moved);
 }
 
-/* Prints the matrix from the places that the client gives: from those of the scene, if nothing was subtracted. */
-static void print_pose(struct zr_print *print, const struct zr_camera *camera, const double *moved)
+void zr_camera_print_pose(struct zr_print *print, const struct zr_camera *camera, const double *moved)
 {
     struct zr_matrix pose = zr_matrix_of(&camera->world_to_eye);
     double *m = pose.m;
@@ -61,7 +60,7 @@ void zr_camera_print(struct zr_print *print, const struct zr_frame *frame, bool 
 {
     const struct zr_camera *camera = &frame->camera;
     zr_print_begin(print, "camera", '{');
-    print_pose(print, camera, frame->origin);
+    zr_camera_print_pose(print, camera, frame->origin);
     zr_print_floats(print, "projectionMatrix", camera->projection.m, 16);
     print_intrinsics(print, frame);
     print_lens(print, &frame->view->lens);
