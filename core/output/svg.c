@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-enum { TEXT_MOST = 512, DECIMALS_MOST = 9 };
+enum { TEXT_MOST = 512, DECIMALS_MOST = 40 };
 
 /* Dashes and gaps of hidden lines, in units of their width, as of strokes (lines/strokes.h). */
 static const double dash = 8.0, gap = 5.0;

@@ -69,6 +69,15 @@ TEST(units_decide_about_size_and_decimals)
     assert_non_null(strstr(encode(&desc), "M400 500L800 500"));
 }
 
+TEST(pixels_of_any_size_have_their_hundredths)
+{
+    struct zr_svg_desc desc = usual();
+    desc.pixel = 1e-11;
+    assert_non_null(strstr(encode(&desc), "M0.0000000000200 0.0000000000750L0.0000000000300 0.0000000000700"));
+    desc.pixel = 1e-36;
+    assert_non_null(strstr(encode(&desc), "L0.00000000000000000000000000000000000300 0."));
+}
+
 TEST(a_drawing_without_lines_is_a_file)
 {
     const struct zr_polylines none = {0};
