@@ -310,7 +310,7 @@ static int save_all(const struct target *target, const struct answer *answer, bo
 static const char *advice_of(const struct format *format)
 {
     return strcmp(format->ending, "npy") == 0   ? "; depth has a PNG, too: --encoding png16"
-           : strcmp(format->ending, "zip") == 0 ? "; or get one of them: --channel color"
+           : strcmp(format->ending, "zip") == 0 ? "; or save its files: -o FOLDER/"
                                                 : "";
 }
 

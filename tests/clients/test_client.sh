@@ -122,7 +122,7 @@ verdict "no log has a token" eval '! grep -q -e "$secret" -e wrong-one log guard
 printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}],
  "outputs": [{"channel": "color"}, {"channel": "depth"}]}' >two.json
 check "a ZIP is not saved as a picture" 2 "$client" render two.json -o two.png
-verdict "and the message names the format and its ending" grep -q 'a ZIP archive of several outputs; -o two.zip saves it; or get one of them: --channel color' complained
+verdict "and the message names the format and its ending" grep -q 'a ZIP archive of several outputs; -o two.zip saves it; or save its files: -o FOLDER/' complained
 verdict "and nothing is saved" [ ! -e two.png ]
 check "but as a ZIP" 0 "$client" render two.json -o two.ZIP
 check "an array is not saved as a picture" 2 "$client" render scene.json --channel depth -o depth.png
