@@ -1,11 +1,13 @@
 /* Turns a bare mesh upright, and views it face on if it is flat. */
 #include <math.h>
+#include <string.h>
 
 #include "input/formats/formats.h"
 #include "input/query/cloud.h"
 #include "input/query/parameters.h"
 #include "input/scene/kept.h"
 #include "input/text/names.h"
+#include "input/text/number.h"
 #include "input/text/recenter.h"
 #include "render_request.h"
 #include "scene/camera/face_on.h"
@@ -28,10 +30,15 @@ enum zr_mesh_up zr_query_up(const struct zr_query *query)
     return gives_up(query) ? (enum zr_mesh_up)query->up : usual_up(query);
 }
 
-/* Moves a place of the file as the mesh is. */
-static zr_vec3 place_of(const struct zr_scene *scene, const zr_mat4 *upright, zr_vec3 place)
+/* Moves a place of the file, "X,Y,Z", as the mesh is: in double precision, since floats may lose digits of a far one. */
+static zr_vec3 place_of(const struct zr_scene *scene, const zr_mat4 *upright, const char *text)
 {
-    const double given[3] = {(double)place.x, (double)place.y, (double)place.z};
+    const char *const end = text + strlen(text);
+    double given[3] = {0, 0, 0};
+    for (int i = 0; i < 3 && text; i++) {
+        text = zr_number_read(text, end, &given[i]);
+        if (text && text < end) text++; /* the comma */
+    }
     const zr_vec4 moved = zr_recenter_position(given, scene->origin);
     return zr_mat4_direction(upright, (zr_vec3){moved.x, moved.y, moved.z});
 }
@@ -50,8 +57,8 @@ static void place_view(const struct zr_query *query, const zr_mat4 *upright)
     const struct zr_request *request = query->request;
     struct zr_scene *scene = query->given.builder->scene;
     struct zr_view *view = &scene->views[0];
-    if (request->eye) view->eye = place_of(scene, upright, view->eye);
-    if (request->target) view->target = place_of(scene, upright, view->target);
+    if (request->eye) view->eye = place_of(scene, upright, request->eye);
+    if (request->target) view->target = place_of(scene, upright, request->target);
     if (!request->eye) return;
     const struct zr_bounds bounds = zr_bounds_of(scene, query->given.builder->team, request->cancel);
     if (!request->target && bounds.valid)

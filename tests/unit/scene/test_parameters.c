@@ -147,6 +147,17 @@ TEST(eye_and_target_are_places_of_the_file)
     }
 }
 
+TEST(an_eye_far_from_the_origin_keeps_its_digits)
+{
+    static const char obj[] = "v 500000 0 0\nv 500001 0 0\nv 500001 1 0\nf 1 2 3\n";
+    const struct zr_request request = {.format = ZR_FORMAT_OBJ, .eye = "500000.71,0.5,4", .target = "500000.51,0.5,0"};
+    struct reading *reading = read_request(request, obj, strlen(obj), zr_limits_default(), 1 << 20);
+    assert_read(reading);
+    assert_place(reading->scene->views[0].eye, (float)(500000.71 - 500000.5), 0, 4);
+    assert_place(reading->scene->views[0].target, (float)(500000.51 - 500000.5), 0, 0);
+    reading_free(reading);
+}
+
 TEST(keys_of_encodings_belong_to_the_channels_that_have_them)
 {
     const struct zr_request request = {
