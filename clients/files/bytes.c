@@ -90,10 +90,17 @@ static bool await_bytes(int descriptor)
     return false;
 }
 
+/* Returns true for /dev/null, the empty input of services and scripts. */
+static bool is_null(const struct stat *status)
+{
+    struct stat null;
+    return stat("/dev/null", &null) == 0 && null.st_rdev == status->st_rdev;
+}
+
 /* Checks that a descriptor has an end. Terminals have one that people give. */
 static bool check_kind(int descriptor, const struct stat *status)
 {
-    if (!S_ISBLK(status->st_mode) && (!S_ISCHR(status->st_mode) || isatty(descriptor))) return true;
+    if (!S_ISBLK(status->st_mode) && (!S_ISCHR(status->st_mode) || isatty(descriptor) || is_null(status))) return true;
     errno = ENODEV;
     return false;
 }

@@ -271,6 +271,8 @@ check "a folder's pipes are no files" 0 timeout 20 "$zraster" batch pipes -o pip
 verdict "its other files are drawn" [ "$(wc -l <"$said")" = 1 ]
 check "a device is refused" 1 timeout 20 "$zraster" /dev/zero -o x.png
 verdict "with the reason" grep -q "it is a device, which has no end" "$complained"
+"$zraster" - -o x.png </dev/null >"$said" 2>"$complained"
+verdict "/dev/null is empty" grep -q "standard input: it is empty" "$complained"
 yes | timeout 20 "$zraster" - --max-file-bytes 100000 -o x.png >"$said" 2>"$complained"
 verdict "standard input ends at --max-file-bytes" grep -q "more than 100000 bytes; --max-file-bytes allows more" "$complained"
 "$zraster" pipes/pipe.obj -o x.png >"$said" 2>"$complained" &
