@@ -11,8 +11,8 @@
 
 /* ---- opening ---- */
 
-/* More than the default, since scenes of games have tens of textures of 2048 x 2048, and nobody else waits for memory.
- * A texel takes 4 bytes, and a third more for smaller levels. */
+/* More than the default: a game's scene has tens of textures of 2048 x 2048, and the command serves one user. A texel
+ * takes 4 bytes, and a third more for smaller levels. */
 #define IMAGE_PIXELS_MAX ((uint64_t)1 << 28)
 #define MEMORY_MAX       ((size_t)3 << 30)
 

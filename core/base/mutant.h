@@ -50,7 +50,7 @@
     row(outlines_of_backs)          /* 14 */                                                                          \
     row(no_depth_offset)            /* 15 */                                                                          \
     row(layers_front_first)         /* 30, blended from the nearest to the farthest */                                \
-    row(layers_hidden_at_equal)     /* 30, blended at the depth of what is opaque */                                  \
+    row(layers_hidden_at_equal)     /* 30, blended faces at the depth of opaque ones */                                  \
     row(xray_squared)               /* 30, opacities of x-rays */                                                     \
     row(right_edges_inside)         /* odd-even rule */                                                               \
     row(holes_filled)               /* odd-even rule */                                                               \

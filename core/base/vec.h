@@ -154,4 +154,12 @@ bool zr_mat4_is_mirror(const zr_mat4 *m);
  * and products in a fixed order. */
 bool zr_mat4_invert(const zr_mat4 *m, zr_mat4 *out);
 
+/* Rounds to a float. gcc 12 drops both conversions of (double)(float)v where it makes a vector of several. It keeps those
+ * through memory. */
+static inline double zr_rounded(double v)
+{
+    volatile float rounded = (float)v;
+    return (double)rounded;
+}
+
 #endif

@@ -1,6 +1,6 @@
 #include "input/root/json_far.h"
 
-#include "base/rounded.h"
+#include "base/vec.h"
 #include "input/mesh/parsed_mesh.h"
 
 /* Positions or instances between two checks for cancellation. */

@@ -1,5 +1,5 @@
 /* Reads sections: planes that cut the scene open. */
-#include "base/rounded.h"
+#include "base/vec.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/text/recenter.h"

@@ -1,6 +1,6 @@
 #include "input/text/recenter.h"
 
-#include "base/rounded.h"
+#include "base/vec.h"
 
 bool zr_box_is_remote(const struct zr_box *box, double sizes)
 {

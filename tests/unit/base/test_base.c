@@ -3,7 +3,6 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#include "base/rounded.h"
 #include "base/status.h"
 #include "base/team.h"
 #include "base/trig.h"
