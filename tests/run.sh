@@ -152,10 +152,8 @@ for part in "$@"; do
         run facts tests/clients/test_facts.sh "$build"
         run encodings tests/clients/test_encodings.sh "$build"
         run wrong-lines tests/clients/test_wrong_lines.sh "$build"
-        run gallery tests/clients/test_gallery.sh "$build"
         run array tests/batches/test_array.sh "$build"
         run manifests "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/batches/test_manifests.py
-        run pictures tests/clients/test_pictures.sh "$build"
         run reference-pages tests/clients/test_reference.sh "$build"
         run guide "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/clients/test_guide.py
         ;;
@@ -192,8 +190,6 @@ for part in "$@"; do
             skipped=$((skipped + 171))
             say "LEFT OUT: the models of the glTF Asset Generator: there is no $data/gltf/asset-generator"
         fi
-        # Without the models it compares pictures of meshes of its own.
-        run bench-pictures "ZRASTERD=$build/zrasterd" "$build/zraster-bench" --check-only --models "$data/models"
         if [ -d "$assimp" ]; then
             verify reference-assimp "$programs/zraster-verify" --preset all "$assimp/OBJ/spider.obj" "$assimp/OBJ/concave_polygon.obj" \
                 "$assimp/STL/Wuson.stl" "$assimp/STL/sphereWithHole.stl"
@@ -201,6 +197,12 @@ for part in "$@"; do
             skipped=$((skipped + 4))
             say "LEFT OUT: four meshes of assimp-testmodels: there is no $assimp"
         fi
+        ;;
+    pictures)
+        run gallery tests/clients/test_gallery.sh "$build"
+        run pictures tests/clients/test_pictures.sh "$build"
+        # Without the models it compares pictures of meshes of its own.
+        run bench-pictures "ZRASTERD=$build/zrasterd" "$build/zraster-bench" --check-only --models "$data/models"
         ;;
     mutants)
         run mutants-1 HALF=1 tests/reference/mutants.sh "$build"

@@ -3,11 +3,14 @@
  *     TEST(name) { ... }                           a test; `state` is cmocka's
  *     TEST_AROUND(name, before, after) { ... }     with setup and teardown of its own
  *     RUN_TESTS(before, after)                     last in the file: main, which runs its tests from top to bottom
+ *
+ * ONLY=NAME in the environment: that test alone. Status 1 where there is none of that name.
  */
 #ifndef ZR_TEST_TESTS_H
 #define ZR_TEST_TESTS_H
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "support/cmocka_all.h"
 
@@ -30,6 +33,18 @@ static inline void list_test(int line, struct CMUnitTest test)
     lines_of_tests[place] = line;
 }
 
+/* Takes away the tests of other names. Returns how many are left. */
+static inline int keep_only(const char *name)
+{
+    int left = 0;
+    for (size_t i = 0; listed_tests[i].name; i++) {
+        if (strcmp(listed_tests[i].name, name) == 0) listed_tests[left++] = listed_tests[i];
+    }
+    for (size_t i = (size_t)left; i < sizeof listed_tests / sizeof *listed_tests; i++)
+        listed_tests[i].name = NULL;
+    return left;
+}
+
 #define TEST_LISTED(f, ...)                                                                                            \
     static void f(void **state);                                                                                       \
     __attribute__((constructor)) static void list_##f(void)                                                            \
@@ -45,6 +60,8 @@ static inline void list_test(int line, struct CMUnitTest test)
 #define RUN_TESTS(before, after)                                                                                       \
     int main(void)                                                                                                     \
     {                                                                                                                  \
+        const char *only = getenv("ONLY");                                                                             \
+        if (only && keep_only(only) == 0) return 1;                                                                    \
         return cmocka_run_group_tests(listed_tests, before, after);                                                    \
     }
 
