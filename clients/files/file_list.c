@@ -26,7 +26,8 @@ static int no_memory(void)
 struct listed {
     char *file, *out;        /* `out`: NULL unless a line names it */
     const char *stem;        /* in `file` */
-    bool keeps_ending;       /* another file has the same stem */
+    bool keeps_ending;       /* another file has the same stem but for its ending */
+    bool needs_folder;       /* another file has the same stem: the next name that is compared has one more folder */
     struct options *options; /* of the line; NULL: those of the batch */
     size_t line;
 };
@@ -302,34 +303,58 @@ static int refuse_names(const struct listed *a, const struct listed *b, const ch
                          b->file, name);
 }
 
-/* Files with the same stem, such as part.stl and part.obj, keep their endings. Returns false if these are the same. */
+/* Puts the folder before the stem into it. Returns false if there is none: the path begins, or "." or ".." is before it. */
+static bool take_folder(struct listed *listed)
+{
+    if (listed->stem < listed->file + 2) return false;
+    const char *end = listed->stem - 1;
+    while (end > listed->file && end[-1] == '/')
+        end--;
+    const char *begin = end;
+    while (begin > listed->file && begin[-1] != '/')
+        begin--;
+    const size_t length = (size_t)(end - begin);
+    if (length == 0 || (begin[0] == '.' && (length == 1 || (length == 2 && begin[1] == '.')))) return false;
+    listed->stem = begin;
+    return true;
+}
+
+/* Files whose stems differ in their endings, such as part.stl and part.obj, keep these. Others, such as a/part.stl and
+ * b/part.stl, need their folders. Returns false if neither has one. */
 static bool tell_apart(struct listed *a, struct listed *b)
 {
-    if (a->out || b->out || strcmp(a->stem, b->stem) == 0) return false;
-    a->keeps_ending = b->keeps_ending = true;
+    if (a->out || b->out) return false;
+    if (strcmp(a->stem, b->stem) != 0) {
+        a->keeps_ending = b->keeps_ending = true;
+        return true;
+    }
+    struct listed longer_a = *a, longer_b = *b;
+    if (bytes_same_file(a->file, b->file) || (!take_folder(&longer_a) && !take_folder(&longer_b))) return false;
+    a->needs_folder = b->needs_folder = true;
     return true;
 }
 
 /* Compares two files whose main names have the same hash. Refuses them if nothing tells the names apart. */
-static int check_pair(const struct file_list *list, struct listed *a, struct listed *b)
+static int check_pair(const struct file_list *list, struct listed *a, struct listed *b, bool *changes)
 {
     char *name = main_name(list, a), *other = main_name(list, b);
     int status = 0;
     if (!name || !other)
         status = no_memory();
-    else if (strcmp(name, other) == 0 && !tell_apart(a, b))
-        status = refuse_names(a, b, name);
+    else if (strcmp(name, other) == 0) {
+        *changes = true;
+        if (!tell_apart(a, b)) status = refuse_names(a, b, name);
+    }
     free(name);
     free(other);
     return status;
 }
 
-/* Gives each file outputs of its own, or refuses the files. */
-static int check_names(const struct file_list *list)
+/* Compares the names of all outputs, and changes those that are the same, which sets `changes`, or refuses the files. */
+static int compare_all(struct file_list *list, struct named *named, bool *changes)
 {
     const size_t count = list->file_count;
-    struct named *named = calloc(count + 1, sizeof *named);
-    int status = named ? 0 : no_memory();
+    int status = 0;
     for (size_t i = 0; status == 0 && i < count; i++) {
         char *name = main_name(list, &list->files[i]);
         if (name)
@@ -341,7 +366,23 @@ static int check_names(const struct file_list *list)
     if (status == 0) qsort(named, count, sizeof *named, compare_names);
     for (size_t i = 1; status == 0 && i < count; i++)
         for (size_t k = i; status == 0 && k > 0 && named[k - 1].hash == named[i].hash; k--)
-            status = check_pair(list, &list->files[named[k - 1].index], &list->files[named[i].index]);
+            status = check_pair(list, &list->files[named[k - 1].index], &list->files[named[i].index], changes);
+    for (size_t i = 0; i < count; i++) {
+        if (list->files[i].needs_folder) take_folder(&list->files[i]);
+        list->files[i].needs_folder = false;
+    }
+    return status;
+}
+
+/* Gives each file outputs of its own, or refuses the files. Each change makes a name longer, which ends at its path. */
+static int check_names(struct file_list *list)
+{
+    struct named *named = calloc(list->file_count + 1, sizeof *named);
+    int status = named ? 0 : no_memory();
+    for (bool changes = true; status == 0 && changes;) {
+        changes = false;
+        status = compare_all(list, named, &changes);
+    }
     free(named);
     return status;
 }
@@ -379,10 +420,9 @@ int file_list_make(struct file_list *list, const struct options *options)
     for (size_t i = 0; status == 0 && i < options->file_count; i++)
         status = add_argument(list, options->files[i]);
     if (status == 0 && options->own[OPTION_LIST]) status = add_list(list, options->own[OPTION_LIST]);
-    for (int turn = 0; status == 0 && turn < 2; turn++) /* the second turn compares names with endings */
-        status = check_names(list);
+    if (status == 0) status = check_names(list);
     if (status == 0 && list->other_count > 0 && !options->own[OPTION_QUIET])
-        say("left out: JSON files without meshes or polygons, which are no scenes: %zu; the first is %s", list->other_count,
-            list->first_other);
+        say("left out: JSON files without meshes or polygons, which are no scenes: %zu; the first is %s",
+            list->other_count, list->first_other);
     return status ? status : make_jobs(list);
 }

@@ -251,6 +251,13 @@ verdict "under names with their endings" [ "$(cd stemmed && echo *)" = "other.pn
 check "and --resume finds them" 0 "$zraster" batch stems -o stemmed -s 8 --resume --json
 verdict "all" [ "$(grep -c '"skipped"' "$said")" = 3 ]
 
+mkdir -p robots/ur3/visual robots/ur5/visual robots/ur5/collision && triangle | tee robots/ur3/visual/base.stl robots/ur5/visual/base.stl robots/ur5/collision/base.stl >robots/base.stl
+check "a batch draws files of one name in several folders" 0 "$zraster" batch robots/base.stl robots/ur*/*/base.stl -o bases -s 8
+verdict "under names with the folders that tell them apart" [ "$(cd bases && echo $(find . -name '*.png' | sort))" = "./collision/base.png ./robots/base.png ./ur3/visual/base.png ./ur5/visual/base.png" ]
+(cd robots/ur3 && triangle >base.stl && "$zraster" batch base.stl ../base.stl -o bases -s 8) >"$said" 2>"$complained"
+verdict "unless no folder does" [ $? = 2 ]
+verdict "and it is said" grep -q 'would have the same output, bases/base; draw them in two calls with -o FOLDER' "$complained"
+
 # What has no end is refused, or read until a signal.
 mkdir pipes && mkfifo pipes/pipe.obj && ln -s pipe.obj pipes/link.obj && triangle >pipes/part.stl
 mkdir jsons && cp scene.json jsons/ && cp part.stl jsons/
@@ -368,10 +375,10 @@ most=200000
 ! grep -q __asan "$zraster" || most=unlimited # sanitizers take addresses of their own
 (ulimit -v $most && "$zraster" batch - --shard 3/200000 --json -j 1 <lines.txt >"$said" 2>"$complained")
 verdict "200 000 names, of which a shard has one, need little memory" grep -q '^{"file":"far/set-0000003.stl","status":"failed"' "$said"
-echo 'other/set-0000007.stl' >>lines.txt
+echo 'far/set-0000007.stl' >>lines.txt
 "$zraster" batch - --shard 3/200000 -o drawn <lines.txt >"$said" 2>"$complained"
 verdict "files of other shards are refused if they would have the same output" [ $? = 2 ]
-verdict "with their lines" grep -q 'lines 8 and 200001, .* would have the same output, drawn/set-0000007;' "$complained"
+verdict "with their lines" grep -q 'lines 8 and 200001, .* would have the same output, drawn/far/set-0000007;' "$complained"
 
 # Ctrl-C
 interrupt() { # TEXT COMMAND...
