@@ -15,7 +15,7 @@ logs=$build/test-logs
 rm -rf "$logs"
 mkdir -p "$logs"
 : >"$logs/times"
-passed=0 failed=0 skipped=0
+passed=0 failed=0 skipped=0 names=' '
 
 # A part's line stays open while it runs. say closes it: something comes in between.
 part_begin() {
@@ -38,17 +38,19 @@ part_end() {
     printf '%s passed' $((passed - passed_before))
     [ "$f" = 0 ] || printf ', %s failed' "$f"
     [ "$s" = 0 ] || printf ', %s skipped' "$s"
-    cpu=$(for name in $(cat "$logs/$part.names"); do tail -n 1 "$logs/$name.tap.status"; done | tr 'ms' '  ' | awk '{ s += 60 * ($1 + $3) + $2 + $4 } END { printf "%.0f", s }')
+    cpu=$(sed "s|.*|$logs/&.tap.status|" "$logs/$part.names" | xargs tail -qn 1 | tr 'ms' '  ' | awk '{ s += 60 * ($1 + $3) + $2 + $4 } END { printf "%.0f", s }')
     echo " in $(($(date +%s) - since)) s, $cpu s of processors"
 }
 
 # run NAME COMMAND...: one program, to be run at the end of the part. No two have one NAME. No argument has a space.
 run() {
     log=$logs/$1.tap
-    if cat "$logs"/*.names | grep -qxF "$1"; then
+    case $names in *" $1 "*)
         say "run.sh: two programs are named $1"
         exit 2
-    fi
+        ;;
+    esac
+    names="$names$1 "
     echo "$1" >>"$logs/$part.names"
     shift
     echo "begin=\$(date +%s%N); env CMOCKA_MESSAGE_OUTPUT=TAP $* >'$log' 2>'$log.err' </dev/null; { echo \$? \$(((\$(date +%s%N) - begin) / 1000000)); times; } >'$log.status'" >>"$logs/$part.list"
@@ -60,9 +62,12 @@ collect() {
     status='' ms=0
     read -r status ms <"$log.status"
     echo "$ms $name" >>"$logs/times"
-    s=$(grep -ciE '^(not )?ok.*# *skip' "$log")
-    p=$(grep -iE '^ok ' "$log" | grep -viE '# *skip' | wc -l)
-    f=$(grep -iE '^not ok ' "$log" | grep -viE '# *skip' | wc -l)
+    set -- $(awk '{ $0 = tolower($0) }
+        /^(not )?ok.*# *skip/ { skipped++; next }
+        /^ok / { passed++ }
+        /^not ok / { failed++ }
+        END { print passed + 0, failed + 0, skipped + 0 }' "$log")
+    p=$1 f=$2 s=$3
     # A crash, a leak found at exit, or no test at all, is a failure that TAP cannot tell.
     if [ "$f" = 0 ] && { [ "$status" != 0 ] || [ $((p + s)) = 0 ]; }; then
         f=1
