@@ -2,57 +2,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/run.h"
 #include "mesh/closed_parts.h"
 #include "render/frame_parts.h"
 #include "support/random.h"
-#include "support/scenes.h"
 #include "support/test_arena.h"
-#include "support/tests.h"
+#include "unit/common/placed_parts.h"
 
 TEST_ARENA(1 << 27)
-
-static const zr_vec4 cube_positions[] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1},
-                                         {0, 0, 1, 1}, {1, 0, 1, 1}, {1, 1, 1, 1}, {0, 1, 1, 1}};
-static const uint32_t cube_offsets[] = {0, 4, 8, 12, 16, 20, 24};
-static const uint32_t cube_indices[] = {0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 2, 3, 7, 6, 0, 4, 7, 3, 1, 2, 6, 5};
-
-static struct zr_mesh cube(void)
-{
-    return (struct zr_mesh){.name = "cube",
-                            .position_count = 8,
-                            .positions = cube_positions,
-                            .face_count = 6,
-                            .face_offsets = cube_offsets,
-                            .indices = cube_indices};
-}
-
-/* Instances of meshes, in a scene that is drawn in clip space. */
-static struct placed {
-    struct test_scene test;
-    struct zr_mesh meshes[4];
-    struct zr_instance instances[8];
-} placed;
-
-static void begin(uint32_t meshes, uint32_t instances)
-{
-    scene_of_triangles(&placed.test, 16, 16, cube_positions, 1);
-    placed.test.scene.meshes = placed.meshes;
-    placed.test.scene.mesh_count = meshes;
-    placed.test.scene.instances = placed.instances;
-    placed.test.scene.instance_count = instances;
-    for (uint32_t i = 0; i < instances; i++)
-        placed.instances[i] = (struct zr_instance){.mesh = i < meshes ? i : 0, .object_to_world = zr_mat4_identity()};
-}
-
-static const struct zr_part_facts *find_facts(struct zr_team *team)
-{
-    const struct zr_part_list list = zr_part_list_make(&arena, &placed.test.scene, 100);
-    struct zr_part_facts *facts = zr_arena_alloc(&arena, list.count, sizeof *facts);
-    assert_int_equal(
-        zr_part_facts_find(&(struct zr_run){.arena = &arena, .team = team}, &placed.test.scene, &list, facts), ZR_OK);
-    return facts;
-}
 
 static void assert_near(double value, double want)
 {
@@ -71,7 +27,7 @@ TEST_AROUND(names_of_parts_are_unique_and_found, open_arena, close_arena)
     } want[] = {{"wheel", 0, 0},     {"wheel.2", 1, 0}, {"wheel.3", 2, 0}, {"body", 2, 1},
                 {"wheel.2.2", 2, 2}, {"wheel.4", 2, 3}, {"part", 3, 0},    {"part.2", 4, 0}};
     enum { WANTED = sizeof want / sizeof *want };
-    begin(3, 5);
+    placed_begin(3, 5);
     placed.meshes[0] = placed.meshes[1] = placed.meshes[2] = cube();
     placed.meshes[1].name = "";
     placed.meshes[2].face_parts = face_parts;
@@ -114,11 +70,11 @@ TEST_AROUND(a_cube_has_its_area_and_volume_in_world_space, open_arena, close_are
                   {1e6f, 0, 0},
                   {2000001, 1, 1},
                   0}};
-    begin(1, sizeof cases / sizeof *cases);
+    placed_begin(1, sizeof cases / sizeof *cases);
     placed.meshes[0] = cube();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         placed.instances[i].object_to_world = cases[i].matrix;
-    const struct zr_part_facts *facts = find_facts(NULL);
+    const struct zr_part_facts *facts = placed_facts(&arena, NULL);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         assert_int_equal(facts[i].triangles, 12);
         assert_true(facts[i].is_closed && facts[i].has_box);
@@ -193,14 +149,14 @@ TEST_AROUND(edges_used_equally_in_both_directions_close_a_part, open_arena, clos
                  {"a corner at infinity", false, 5, 0, {CUBE, 2, 3, 7, 16}},
                  {"a concave face", false, 0.75, 0, {1, 2, 3, 4, 17}}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        begin(1, 1);
+        placed_begin(1, 1);
         make_faces(&placed.meshes[0], cases[i].faces, CORNERS_MOST);
         zr_vec4 moved[17];
         memcpy(moved, places, sizeof places);
         moved[16] = (zr_vec4){0.5f, 0.5f, 0, 1};
         placed.meshes[0].positions = moved;
         placed.meshes[0].position_count = 17;
-        const struct zr_part_facts *facts = find_facts(NULL);
+        const struct zr_part_facts *facts = placed_facts(&arena, NULL);
         if (facts->is_closed != cases[i].is_closed || !(fabs(facts->area - cases[i].area) < 1e-6) ||
             !(fabs(facts->volume - cases[i].volume) < 1e-6))
             fail_msg("%s: closed %d, area %.9g, volume %.9g", cases[i].what, facts->is_closed, facts->area,
@@ -234,7 +190,7 @@ TEST_AROUND(holes_are_left_out_whatever_their_direction, open_arena, close_arena
             memcpy(indices + 16 + 8 * side, outer, sizeof outer);
             memcpy(indices + 20 + 8 * side, inner, sizeof inner);
         }
-        begin(1, 1);
+        placed_begin(1, 1);
         placed.meshes[0] = (struct zr_mesh){.name = "frame",
                                             .position_count = 16,
                                             .positions = frame,
@@ -243,7 +199,7 @@ TEST_AROUND(holes_are_left_out_whatever_their_direction, open_arena, close_arena
                                             .indices = indices,
                                             .face_rings = rings,
                                             .ring_offsets = ring_offsets};
-        const struct zr_part_facts *facts = find_facts(NULL);
+        const struct zr_part_facts *facts = placed_facts(&arena, NULL);
         assert_true(facts->is_closed);
         assert_near(facts->area, 2 * 8 + 4 * 6 + 4 * 2);
         assert_near(facts->volume, 16);
@@ -292,9 +248,9 @@ static struct zr_mesh sphere(void)
 
 TEST_AROUND(a_sphere_has_nearly_the_area_and_volume_of_the_formula, open_arena, close_arena)
 {
-    begin(1, 1);
+    placed_begin(1, 1);
     placed.meshes[0] = sphere();
-    const struct zr_part_facts *facts = find_facts(NULL);
+    const struct zr_part_facts *facts = placed_facts(&arena, NULL);
     assert_true(facts->is_closed);
     assert_true(fabs(facts->area / (4 * M_PI) - 1) < 1e-3);
     assert_true(fabs(facts->volume / (4 * M_PI / 3) - 1) < 1e-3);
@@ -305,7 +261,7 @@ TEST_AROUND(parts_are_measured_alone_and_alike_by_all_teams, open_arena, close_a
 {
     static uint32_t parts[SPHERE_FACES];
     static const char *const names[] = {"lower", "nothing", "upper"};
-    begin(2, 3);
+    placed_begin(2, 3);
     placed.meshes[0] = placed.meshes[1] = sphere();
     for (uint32_t f = 0; f < SPHERE_FACES; f++)
         parts[f] = f < SPHERE_FACES / 2 ? 2 : 0;
@@ -314,7 +270,7 @@ TEST_AROUND(parts_are_measured_alone_and_alike_by_all_teams, open_arena, close_a
     placed.meshes[0].part_names = names;
     placed.instances[2] =
         (struct zr_instance){.mesh = 1, .object_to_world = {{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1}}};
-    const struct zr_part_facts *facts = find_facts(NULL);
+    const struct zr_part_facts *facts = placed_facts(&arena, NULL);
     assert_true(facts[0].min.z == -1 && facts[0].max.z < 1e-6f && facts[2].min.z > -1e-6f && facts[2].max.z == 1);
     assert_near(facts[0].area, facts[2].area);
     assert_near(facts[0].area + facts[2].area, facts[3].area);
@@ -325,7 +281,7 @@ TEST_AROUND(parts_are_measured_alone_and_alike_by_all_teams, open_arena, close_a
     assert_int_equal(facts[0].triangles + facts[2].triangles, SPHERE_FACES);
     for (int threads = 2; threads <= 7; threads += 5) {
         struct zr_team *team = zr_team_create(threads);
-        const struct zr_part_facts *others = find_facts(team);
+        const struct zr_part_facts *others = placed_facts(&arena, team);
         zr_team_destroy(team);
         for (int i = 0; i < 5; i++) {
             assert_memory_equal(&others[i].area, &facts[i].area, sizeof facts[i].area);
@@ -353,14 +309,14 @@ TEST_AROUND(a_closed_cone_of_many_faces_takes_no_time, open_arena, close_arena)
     }
     for (uint32_t f = 0; f <= 2 * SIDES; f++)
         offsets[f] = 3 * f;
-    begin(1, 1);
+    placed_begin(1, 1);
     placed.meshes[0] = (struct zr_mesh){.name = "cone",
                                         .position_count = SIDES + 2,
                                         .positions = positions,
                                         .face_count = 2 * SIDES,
                                         .face_offsets = offsets,
                                         .indices = indices};
-    const struct zr_part_facts *facts = find_facts(NULL);
+    const struct zr_part_facts *facts = placed_facts(&arena, NULL);
     assert_true(facts->is_closed);
     assert_true(fabs(facts->volume - M_PI / 3) < 1e-6);
 }
@@ -439,7 +395,7 @@ TEST_AROUND(colours_are_means_by_area, open_arena, close_arena)
     static const zr_vec4 face_colors[6] = {{1, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 1, 1},
                                            {0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}};
     zr_vec4 colors[8];
-    begin(3, 4);
+    placed_begin(3, 4);
     for (int i = 0; i < 8; i++)
         colors[i] = (zr_vec4){0, cube_positions[i].z, 1, 1};
     placed.meshes[0] = placed.meshes[1] = placed.meshes[2] = cube();
@@ -448,7 +404,7 @@ TEST_AROUND(colours_are_means_by_area, open_arena, close_arena)
     placed.test.material.base_color = (zr_vec4){0.5f, 1, 1, 1};
     placed.instances[3] =
         (struct zr_instance){.mesh = 0, .object_to_world = {{3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}};
-    const struct zr_part_facts *facts = find_facts(NULL);
+    const struct zr_part_facts *facts = placed_facts(&arena, NULL);
     const zr_vec3 want[4] = {{1.0f / 6, 0, 2.0f / 3}, {0, 0.5f, 1}, {0.5f, 1, 1}, {0.5f * 6 / 14, 0, 8.0f / 14}};
     for (int i = 0; i < 4; i++)
         if (!(fabsf(facts[i].color.x - want[i].x) < 1e-6f && fabsf(facts[i].color.y - want[i].y) < 1e-6f &&
@@ -460,7 +416,7 @@ TEST_AROUND(lines_and_points_have_a_box_and_a_colour, open_arena, close_arena)
 {
     static const uint32_t line[2] = {0, 6}, point = 2, no_faces[1] = {0};
     static const zr_vec4 colors[8] = {[0] = {1, 0, 0, 1}, [2] = {0, 1, 0, 1}, [6] = {0, 0, 1, 1}};
-    begin(1, 1);
+    placed_begin(1, 1);
     placed.meshes[0] = cube();
     placed.meshes[0].face_count = 0;
     placed.meshes[0].face_offsets = no_faces;
@@ -470,77 +426,13 @@ TEST_AROUND(lines_and_points_have_a_box_and_a_colour, open_arena, close_arena)
     placed.meshes[0].point_count = 1;
     placed.meshes[0].colors = colors;
     placed.test.material.base_color = (zr_vec4){1, 1, 1, 1};
-    const struct zr_part_facts *facts = find_facts(NULL);
+    const struct zr_part_facts *facts = placed_facts(&arena, NULL);
     assert_true(facts->has_box && facts->max.z == 1 && facts->min.x == 0);
     assert_true(!facts->is_closed && facts->area == 0 && facts->triangles == 0);
     assert_true(fabsf(facts->color.x - 1.0f / 3) < 1e-6f && fabsf(facts->color.z - 1.0f / 3) < 1e-6f);
 }
 
-/* ---- overlaps ---- */
-
-/* Boxes low .. high in one mesh; a negative first size turns a box inside out. */
-struct solid {
-    double low[3], size[3];
-};
-
-static struct zr_mesh boxes(const struct solid *solids, uint32_t count)
-{
-    struct zr_mesh mesh = {.name = "boxes", .position_count = 8 * count, .face_count = 6 * count};
-    zr_vec4 *positions = zr_arena_alloc(&arena, mesh.position_count, sizeof *positions);
-    uint32_t *offsets = zr_arena_alloc(&arena, mesh.face_count + 1, sizeof *offsets);
-    uint32_t *indices = zr_arena_alloc(&arena, 4 * mesh.face_count, sizeof *indices);
-    assert_non_null(indices);
-    for (uint32_t i = 0; i < 8 * count; i++) {
-        const struct solid *s = &solids[i / 8];
-        const zr_vec4 *at = &cube_positions[i % 8];
-        positions[i] =
-            (zr_vec4){(float)(s->low[0] + s->size[0] * (double)at->x), (float)(s->low[1] + s->size[1] * (double)at->y),
-                      (float)(s->low[2] + s->size[2] * (double)at->z), 1};
-    }
-    for (uint32_t i = 0; i <= 6 * count; i++)
-        offsets[i] = 4 * i;
-    for (uint32_t i = 0; i < 24 * count; i++)
-        indices[i] = 8 * (i / 24) + cube_indices[i % 24];
-    mesh.positions = positions;
-    mesh.face_offsets = offsets;
-    mesh.indices = indices;
-    return mesh;
-}
-
-TEST_AROUND(what_is_inside_counts_once, open_arena, close_arena)
-{
-    static const struct {
-        struct solid solids[3];
-        uint32_t count;
-        bool has_overlap;
-        double volume, x;
-    } cases[] = {{{{{0, 0, 0}, {1, 1, 1}}, {{0.5, 0, 0}, {1, 1, 1}}}, 2, true, 1.5, 0.75},
-                 {{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {1, 1, 1}}}, 2, false, 2, 1.5},
-                 {{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {1, 1, 1}}}, 2, false, 2, 1},          /* touch */
-                 {{{{0, 0, 0}, {1, 1, 1}}, {{3, 0, 0}, {-1, 1, 1}}}, 2, true, 2, 1.5},        /* one inside out */
-                 {{{{1, 0, 0}, {-1, 1, 1}}, {{3, 0, 0}, {-1, 1, 1}}}, 2, false, -2, 1.5},     /* all inside out */
-                 {{{{1, 0, 0}, {-1, 1, 1}}, {{1.5, 0, 0}, {-1, 1, 1}}}, 2, true, -1.5, 0.75}, /* and overlapping */
-                 {{{{0, 0, 0}, {1, 1, 1}}, {{0.75, 0.25, 0.25}, {-0.5, 0.5, 0.5}}}, 2, false, 0.875, 0.5}, /* a void */
-                 {{{{0, 0, 0}, {1, 1, 1}}, {{0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}}}, 2, true, 1, 0.5},       /* nested */
-                 {{{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}}, 3, true, 1, 0.5},
-                 {{{{0, 0, 0}, {9, 1, 0.01}}, {{8.5, 0, 0}, {1, 1, 0.01}}}, 2, true, 0.095, 4.75}}; /* plates */
-    enum { CASES = sizeof cases / sizeof *cases };
-    for (size_t i = 0; i < CASES; i++)
-        for (int far = 0; far < 2; far++) {
-            begin(1, 1);
-            placed.meshes[0] = boxes(cases[i].solids, cases[i].count);
-            placed.instances[0].object_to_world.m[12] = far ? 16384 : 0;
-            const struct zr_part_facts *facts = find_facts(NULL);
-            const double error = fabs(facts->volume - cases[i].volume), size = fabs(cases[i].volume);
-            assert_true(facts->is_closed && facts->has_center);
-            if (facts->has_overlap != cases[i].has_overlap || error > 1e-4 * size ||
-                error > facts->volume_error + 1e-6 * size)
-                fail_msg("case %zu: %d, volume %.9g for %g, stated error %g", i, facts->has_overlap, facts->volume,
-                         cases[i].volume, facts->volume_error);
-            if (fabs(facts->center[0] - (far ? 16384 : 0) - cases[i].x) > 1e-3)
-                fail_msg("case %zu: centre %.9g for %g", i, facts->center[0], cases[i].x);
-        }
-}
+/* ---- edges ---- */
 
 TEST_AROUND(odd_edges_are_counted_with_a_place, open_arena, close_arena)
 {
@@ -552,7 +444,7 @@ TEST_AROUND(odd_edges_are_counted_with_a_place, open_arena, close_arena)
     } cases[] = {{6, false, 0, 0, {0}}, {5, false, 4, 0, {12, 0.5, 0}}, {6, true, 0, 4, {11, 0, 0}}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         uint32_t indices[24];
-        begin(1, 1);
+        placed_begin(1, 1);
         placed.meshes[0] = cube();
         placed.meshes[0].face_count = cases[i].faces;
         memcpy(indices, cube_indices, sizeof indices);
@@ -560,7 +452,7 @@ TEST_AROUND(odd_edges_are_counted_with_a_place, open_arena, close_arena)
             indices[k] = cube_indices[3 - k];
         placed.meshes[0].indices = indices;
         placed.instances[0].object_to_world = (zr_mat4){{2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 10, 0, 0, 1}};
-        const struct zr_part_facts *facts = find_facts(NULL);
+        const struct zr_part_facts *facts = placed_facts(&arena, NULL);
         assert_int_equal(facts->is_closed, i == 0);
         const struct zr_edge_facts *edges = cases[i].open > 0 ? &facts->open_edges : &facts->flipped_edges;
         if (facts->open_edges.count != cases[i].open || facts->flipped_edges.count != cases[i].flipped ||
@@ -570,40 +462,13 @@ TEST_AROUND(odd_edges_are_counted_with_a_place, open_arena, close_arena)
     }
 }
 
-/* Random pairs of boxes against the formula: the error is within the stated one. */
-TEST_AROUND(volumes_of_random_overlaps_are_within_their_error, open_arena, close_arena)
-{
-    enum { PAIRS = 48 };
-    struct random random = random_seeded(55);
-    for (int i = 0; i < PAIRS; i++) {
-        struct solid solids[2];
-        double volumes[2] = {1, 1}, common = 1;
-        for (int k = 0; k < 3; k++) {
-            for (int s = 0; s < 2; s++) {
-                solids[s].low[k] = random_below(&random, 1000) / 1024.0;
-                solids[s].size[k] = (random_below(&random, 1000) + 50) / 1024.0;
-                volumes[s] *= solids[s].size[k];
-            }
-            const double from = fmax(solids[0].low[k], solids[1].low[k]),
-                         to = fmin(solids[0].low[k] + solids[0].size[k], solids[1].low[k] + solids[1].size[k]);
-            common *= fmax(0, to - from);
-        }
-        begin(1, 1);
-        placed.meshes[0] = boxes(solids, 2);
-        const struct zr_part_facts *facts = find_facts(NULL);
-        const double volume = volumes[0] + volumes[1] - common;
-        if (fabs(facts->volume - volume) > facts->volume_error + 1e-5 * volume)
-            fail_msg("pair %d: %.9g for %.9g, stated error %g", i, facts->volume, volume, facts->volume_error);
-    }
-}
-
 /* ---- limits ---- */
 
 TEST_AROUND(a_full_arena_and_a_cancelled_request_are_told, open_arena, close_arena)
 {
     struct zr_part_facts facts;
     struct zr_cancel cancel = {0};
-    begin(1, 1);
+    placed_begin(1, 1);
     placed.meshes[0] = sphere();
     const struct zr_part_list list = zr_part_list_make(&arena, &placed.test.scene, 100);
     cancel.raised = true;
