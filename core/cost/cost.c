@@ -10,6 +10,7 @@
 #include "effects/shadow_maps.h"
 #include "lines/cells.h"
 #include "lines/window_view.h"
+#include "mesh/overlap.h"
 #include "output/images/lossy.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
@@ -218,6 +219,7 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
                                     TIMES[scene->algorithm].triangle;
         const enum zr_shading shading = scene->materials[mesh->material].shading;
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
+        if (has_info && triangles >= ZR_OVERLAP_FACES_LEAST) counts[ZR_COST_INFO] = 1.0;
         if (has_info) counts[ZR_COST_FACT] += triangles;
         if (has_info) counts[ZR_COST_PART] += zr_mesh_part_count(mesh);
         if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */

@@ -52,8 +52,9 @@
     ROW(MAP_FRAGMENT, 0.24, "texels of faces in shadow maps")                                                          \
     ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \
     ROW(LINEAR_LEVEL_TEXEL, 7.0, "texels of textures' levels in linear light")                                         \
-    ROW(FACT, 300.0, "triangles of parts that info measures")                                                          \
-    ROW(PART, 30e3, "parts that info lists")                                                                           \
+    ROW(FACT, 800.0, "triangles of parts that info measures")                                                          \
+    ROW(INFO, 600e3, "scenes whose overlaps info measures")                                                            \
+    ROW(PART, 60e3, "parts that info lists")                                                                           \
     ROW(SECTION_CORNER, 60.0, "corners of faces times planes of sections")                                             \
     ROW(CAP_TILE, 6.0, "corners of caps times tiles of the window")                                                    \
     ROW(LENS_PIXEL, 100.0, "pixels that a lens distorts")                                                              \

@@ -6,7 +6,10 @@ enum {
     STEPS_PER_CANCEL_CHECK = 1 << 12,
     STEPS_PER_PAIR = 8,
     PROBE_FIRST = 64, /* every 64th leaf is searched first, for an early bound */
-    SMALL = 1 << 16,  /* bytes; smaller solids get blocks of SMALL_UNIT, so that the system clears fewer pages */
+    BESIDE_MAX = 96,  /* triangles beside an overlap that are held for all its lines */
+    BESIDE_PER_STEP = 4,
+    MOVES_PER_STEP = 64, /* of crossings that are sorted by insertion; twice as many */
+    SMALL = 1 << 16,     /* bytes; smaller solids get blocks of SMALL_UNIT, so that the system clears fewer pages */
     SMALL_UNIT = 1 << 12
 };
 
@@ -24,6 +27,15 @@ struct facet {
     struct point corners[3];
     double heights[3];
     double at, du, dv;
+};
+
+/* Triangles that lines through an overlap may cross. */
+struct beside {
+    struct point low, high; /* of the overlap */
+    double end;             /* highest of these lines */
+    int count;
+    bool is_full; /* there are more */
+    struct facet facets[BESIDE_MAX];
 };
 
 struct search {
@@ -163,15 +175,10 @@ static int winding_of(const struct point c[3], struct point p)
     return winding;
 }
 
-static bool add_crossing(const struct search *s, struct line *line, uint32_t triangle)
+/* Adds the crossing with a triangle that winds around the line. False if there are too many. */
+static bool put_crossing(const struct search *s, struct line *line, const struct facet *f, int winding)
 {
-    struct facet f;
-    struct zr_world_place p[3];
-    zr_wall_solid_places(s->solid, triangle, p);
-    project(line->frame, p, &f);
-    const int winding = winding_of(f.corners, line->at);
-    if (winding == 0 || !find_plane(&f)) return true;
-    const struct crossing own = {height_at(&f, line->at), -winding};
+    const struct crossing own = {height_at(f, line->at), -winding};
     const double step = s->solid->step;
     int *sum = own.height < line->begin - step    ? &line->before
                : own.height <= line->begin + step ? &line->at_begin
@@ -188,6 +195,21 @@ static bool add_crossing(const struct search *s, struct line *line, uint32_t tri
         line->crossings[at] = line->crossings[at - 1];
     line->crossings[at] = own;
     return true;
+}
+
+static void project_triangle(const struct search *s, const struct frame *frame, uint32_t triangle, struct facet *out)
+{
+    struct zr_world_place p[3];
+    zr_wall_solid_places(s->solid, triangle, p);
+    project(frame, p, out);
+}
+
+static bool add_crossing(const struct search *s, struct line *line, uint32_t triangle)
+{
+    struct facet f;
+    project_triangle(s, line->frame, triangle, &f);
+    const int winding = winding_of(f.corners, line->at);
+    return winding == 0 || !find_plane(&f) || put_crossing(s, line, &f, winding);
 }
 
 static bool is_on_line(const struct search *s, const struct line *line, const struct zr_wall_box *box)
@@ -211,6 +233,7 @@ static bool is_on_line(const struct search *s, const struct line *line, const st
     return begin <= end;
 }
 
+/* Crosses all triangles that the line meets. */
 static bool cross_all(struct search *s, struct line *line)
 {
     const struct zr_wall_solid *solid = s->solid;
@@ -236,14 +259,31 @@ static bool cross_all(struct search *s, struct line *line)
     return true;
 }
 
-/* Returns true if all is inside from the wall's begin to its end on this line, and outside before and behind. */
-static bool is_wall_at(struct search *s, const struct pair *pair, struct point at)
+static bool cross_beside(struct search *s, const struct beside *beside, struct line *line)
 {
-    struct line line = {.at = at, .frame = &pair->frame};
+    if (!has_steps(s, 1 + (uint32_t)beside->count / BESIDE_PER_STEP)) return false;
+    for (int i = 0; i < beside->count; i++) {
+        const int winding = winding_of(beside->facets[i].corners, line->at);
+        if (winding == 0 || put_crossing(s, line, &beside->facets[i], winding)) continue;
+        s->is_stopped = true;
+        return false;
+    }
+    return true;
+}
+
+/* Returns true if all is inside from the wall's begin to its end on this line, and outside before and behind. */
+static bool is_wall_at(struct search *s, const struct pair *pair, struct point at, const struct beside *beside)
+{
+    struct line line; /* not cleared: most of it is never used */
     const double step = s->solid->step;
+    line.at = at;
+    line.frame = &pair->frame;
     line.begin = height_at(&pair->near, at);
     line.end = height_at(&pair->far, at);
-    if (line.end - line.begin <= step || !cross_all(s, &line) || line.before != 0) return false;
+    line.before = line.at_begin = line.at_end = line.count = 0;
+    if (line.end - line.begin <= step) return false;
+    if (!(beside ? cross_beside(s, beside, &line) : cross_all(s, &line))) return false;
+    if (!has_steps(s, (uint32_t)(line.count * line.count) / MOVES_PER_STEP) || line.before != 0) return false;
     int winding = line.at_begin;
     if (winding <= 0) return false;
     for (int i = 0; i < line.count; i++) {
@@ -254,15 +294,91 @@ static bool is_wall_at(struct search *s, const struct pair *pair, struct point a
     return winding + line.at_end <= 0;
 }
 
+/* ---- triangles beside an overlap ---- */
+
+static double half_of(const struct zr_wall_box *box, struct zr_world_place axis)
+{
+    return 0.5 * ((fabs(axis.x) * (box->max[0] - box->min[0]) + fabs(axis.y) * (box->max[1] - box->min[1])) +
+                  fabs(axis.z) * (box->max[2] - box->min[2]));
+}
+
+static bool is_box_beside(const struct beside *beside, const struct frame *frame, const struct zr_wall_box *box,
+                          double step)
+{
+    const struct zr_world_place middle = {0.5 * (box->min[0] + box->max[0]), 0.5 * (box->min[1] + box->max[1]),
+                                          0.5 * (box->min[2] + box->max[2])};
+    const double u = zr_world_place_dot(frame->u, middle), v = zr_world_place_dot(frame->v, middle);
+    const double half_u = half_of(box, frame->u) + step, half_v = half_of(box, frame->v) + step;
+    return u + half_u >= beside->low.u && u - half_u <= beside->high.u && v + half_v >= beside->low.v &&
+           v - half_v <= beside->high.v &&
+           zr_world_place_dot(frame->d, middle) - half_of(box, frame->d) <= beside->end + 2.0 * step;
+}
+
+static bool is_facet_beside(const struct beside *beside, const struct facet *f, double step)
+{
+    const struct point *c = f->corners;
+    return zr_most_of(c[0].u, zr_most_of(c[1].u, c[2].u)) >= beside->low.u - step &&
+           zr_least_of(c[0].u, zr_least_of(c[1].u, c[2].u)) <= beside->high.u + step &&
+           zr_most_of(c[0].v, zr_most_of(c[1].v, c[2].v)) >= beside->low.v - step &&
+           zr_least_of(c[0].v, zr_least_of(c[1].v, c[2].v)) <= beside->high.v + step;
+}
+
+static void hold_leaf(const struct search *s, const struct frame *frame, uint32_t leaf, struct beside *beside)
+{
+    const uint32_t begin = leaf * ZR_WALL_LEAF, left = s->solid->count - begin;
+    for (uint32_t i = 0; i < ZR_WALL_LEAF && i < left; i++) {
+        struct facet f;
+        project_triangle(s, frame, s->solid->around.order[begin + i], &f);
+        if (!is_facet_beside(beside, &f, s->solid->step) || !find_plane(&f)) continue;
+        if (beside->count == BESIDE_MAX) {
+            beside->is_full = true;
+            return;
+        }
+        beside->facets[beside->count++] = f;
+    }
+}
+
+/* Holds the triangles that lines through the overlap may cross. False: there are too many, or no steps left. */
+static bool hold_beside(struct search *s, const struct pair *pair, struct beside *beside)
+{
+    const struct zr_wall_solid *solid = s->solid;
+    beside->low = beside->high = pair->overlap[0];
+    beside->end = -HUGE_VAL;
+    beside->count = 0;
+    beside->is_full = false;
+    for (int i = 0; i < pair->count; i++) {
+        const struct point p = pair->overlap[i];
+        beside->low = (struct point){zr_least_of(beside->low.u, p.u), zr_least_of(beside->low.v, p.v)};
+        beside->high = (struct point){zr_most_of(beside->high.u, p.u), zr_most_of(beside->high.v, p.v)};
+        beside->end = zr_most_of(beside->end, height_at(&pair->far, p));
+    }
+    uint32_t stack[STACK] = {1};
+    for (int depth = 1; depth > 0 && !beside->is_full;) {
+        const uint32_t node = stack[--depth];
+        if (!has_steps(s, 1)) return false;
+        if (!is_box_beside(beside, &pair->frame, &solid->around.boxes[node], solid->step)) continue;
+        if (node < solid->leaf_count) {
+            stack[depth++] = 2 * node;
+            stack[depth++] = 2 * node + 1;
+        } else {
+            if (!has_steps(s, 2 * ZR_WALL_LEAF)) return false;
+            hold_leaf(s, &pair->frame, node - solid->leaf_count, beside);
+        }
+    }
+    return !beside->is_full;
+}
+
 /* Probes the middle of the overlap, and places near its corners and sides. */
 static bool is_wall(struct search *s, const struct pair *pair)
 {
     struct point middle = {0, 0};
+    struct beside beside;
     for (int i = 0; i < pair->count; i++) {
         middle.u += pair->overlap[i].u / pair->count;
         middle.v += pair->overlap[i].v / pair->count;
     }
-    if (is_wall_at(s, pair, middle)) return true;
+    if (is_wall_at(s, pair, middle, NULL)) return true;
+    const struct beside *held = hold_beside(s, pair, &beside) ? &beside : NULL;
     for (int i = 0; i < 3 * pair->count; i++) {
         static const double shares[3] = {0.75, 0.5, 0.96875}; /* half way to a side, to a corner, and next to it */
         const struct point a = pair->overlap[i / 3], b = pair->overlap[(i / 3 + 1) % pair->count],
@@ -270,7 +386,8 @@ static bool is_wall(struct search *s, const struct pair *pair)
         const double share = shares[i % 3];
         if (s->is_stopped) return false;
         if (is_wall_at(s, pair,
-                       (struct point){middle.u + share * (to.u - middle.u), middle.v + share * (to.v - middle.v)}))
+                       (struct point){middle.u + share * (to.u - middle.u), middle.v + share * (to.v - middle.v)},
+                       held))
             return true;
     }
     return false;

@@ -8,11 +8,12 @@
 enum {
     QUICK_MOST = 128, /* rays along the longest side of the quick grid, and least of it */
     QUICK_LEAST = 32,
-    OVERLAPPING_FACES_LEAST = 6, /* a closed surface of fewer triangles is a tetrahedron */
     FINE = 256,
     SLENDER = 8, /* the shorter side has at least this part of the rays of the longer one */
     WORK_PER_CANCEL_CHECK = 1 << 12,
     SORTED_AT_ONCE = 1 << 12,
+    SMALL = 1 << 18, /* bytes; smaller grids get blocks of SMALL_UNIT, so that the system clears fewer pages */
+    SMALL_UNIT = 1 << 12,
     HEIGHT_SHIFT = 16, /* a crossing: height, 15 bits of |cosine|, sign */
     COSINES = (1 << 15) - 1
 };
@@ -49,22 +50,25 @@ struct walk {
     struct zr_world_place middle; /* of the box; places are relative to it */
     struct zr_world_place u, v, d;
     double half[3]; /* of the extents along u, v and d */
+    double steps;   /* of heights, per unit */
     double thin;
     uint32_t columns, rows;
     double width, height; /* of a cell */
     uint32_t *ends;       /* per ray: end of its crossings, and before they are put, their begin */
     uint64_t *crossings, *spare;
     struct lengths *lengths; /* per ray */
-    uint64_t work, work_most, next_look;
+    uint64_t work, work_most, work_of_grid, next_look;
     bool is_stopped;
+    uint32_t last_rays; /* of the last grid that was walked; 0: none */
+    uint64_t last_work;
 };
 
-/* A triangle in the frame of a walk. */
+/* A triangle in the frame of a walk. Its plane has the height at[0].d + du u + dv v at (u, v) from at[0]. */
 struct facet {
     struct {
         double u, v, d;
     } at[3];
-    double cosine;
+    double cosine, du, dv, low, high; /* lowest and highest corner, from at[0] */
 };
 
 static bool has_work(struct walk *w, uint64_t work)
@@ -80,7 +84,7 @@ static bool has_work(struct walk *w, uint64_t work)
 
 /* ---- triangles ---- */
 
-typedef void visit_fn(struct walk *w, const struct facet *facet, uint32_t ray, int sign);
+typedef void visit_fn(struct walk *w, const struct facet *facet, uint32_t row, uint32_t column, int sign);
 
 /* Returns the number of cells of `size` whose middles lie before `at`, at most `count`. */
 static uint32_t cells_before(double at, double half, double size, uint32_t count)
@@ -123,7 +127,7 @@ static void visit_facet(struct walk *w, const struct facet *f, visit_fn *visit)
         const uint32_t from = rise < fall ? rise : fall, to = rise < fall ? fall : rise;
         if (!has_work(w, to - from)) return;
         for (uint32_t column = from; column < to; column++)
-            visit(w, f, row * w->columns + column, rise > fall ? -1 : 1);
+            visit(w, f, row, column, rise > fall ? -1 : 1);
     }
 }
 
@@ -142,13 +146,17 @@ static void put_corner(const struct walk *w, struct zr_world_place at, struct fa
     f->at[corner].d = zr_world_place_dot(w->d, at);
 }
 
-static void find_cosine(struct facet *f)
+static void find_plane(struct facet *f)
 {
     const struct zr_world_place a = {f->at[1].u - f->at[0].u, f->at[1].v - f->at[0].v, f->at[1].d - f->at[0].d},
                                 b = {f->at[2].u - f->at[0].u, f->at[2].v - f->at[0].v, f->at[2].d - f->at[0].d},
                                 n = zr_world_place_cross(a, b);
     const double length = sqrt(zr_world_place_dot(n, n));
     f->cosine = length > 0.0 ? fabs(n.z) / length : 0.0;
+    f->low = zr_least_of(0.0, zr_least_of(a.z, b.z));
+    f->high = zr_most_of(0.0, zr_most_of(a.z, b.z));
+    f->du = n.z != 0.0 ? -n.x / n.z : 0.0;
+    f->dv = n.z != 0.0 ? -n.y / n.z : 0.0;
 }
 
 static void visit_ring(struct walk *w, uint32_t begin, uint32_t end, bool is_turned, visit_fn *visit)
@@ -159,7 +167,7 @@ static void visit_ring(struct walk *w, uint32_t begin, uint32_t end, bool is_tur
     for (uint32_t i = begin + 1; i + 1 < end && !w->is_stopped; i++) {
         put_corner(w, place_of(w, i), &f, first);
         put_corner(w, place_of(w, i + 1), &f, last);
-        find_cosine(&f);
+        find_plane(&f);
         visit_facet(w, &f, visit);
     }
 }
@@ -175,32 +183,21 @@ static void visit_all(struct walk *w, visit_fn *visit)
     }
 }
 
-static void count_crossing(struct walk *w, const struct facet *f, uint32_t ray, int sign)
+static void count_crossing(struct walk *w, const struct facet *f, uint32_t row, uint32_t column, int sign)
 {
     (void)f;
     (void)sign;
-    w->ends[ray]++;
+    w->ends[row * w->columns + column]++;
 }
 
-/* Returns the height of a triangle on a ray, within those of its corners. */
-static double height_at(const struct walk *w, const struct facet *f, uint32_t ray)
+/* Puts the height of a triangle on a ray, within those of its corners. */
+static void put_crossing(struct walk *w, const struct facet *f, uint32_t row, uint32_t column, int sign)
 {
-    const double u = ((double)(ray % w->columns) + 0.5) * w->width - w->half[0] - f->at[0].u,
-                 v = ((double)(ray / w->columns) + 0.5) * w->height - w->half[1] - f->at[0].v;
-    const double bu = f->at[1].u - f->at[0].u, bv = f->at[1].v - f->at[0].v, bd = f->at[1].d - f->at[0].d,
-                 cu = f->at[2].u - f->at[0].u, cv = f->at[2].v - f->at[0].v, cd = f->at[2].d - f->at[0].d;
-    const double area = bu * cv - bv * cu;
-    const double low = zr_least_of(0.0, zr_least_of(bd, cd)), high = zr_most_of(0.0, zr_most_of(bd, cd));
-    double d = low;
-    if (area != 0.0) d = ((bd * cv - cd * bv) * u + (cd * bu - bd * cu) * v) / area;
-    return f->at[0].d + (d > low ? d < high ? d : high : low);
-}
-
-static void put_crossing(struct walk *w, const struct facet *f, uint32_t ray, int sign)
-{
-    const double height = (height_at(w, f, ray) + w->half[2]) / (2.0 * w->half[2]) * HEIGHTS;
+    const double u = ((double)column + 0.5) * w->width - w->half[0] - f->at[0].u,
+                 v = ((double)row + 0.5) * w->height - w->half[1] - f->at[0].v, d = f->du * u + f->dv * v;
+    const double height = (f->at[0].d + (d > f->low ? d < f->high ? d : f->high : f->low) + w->half[2]) * w->steps;
     const double step = height > 0.0 ? height < HEIGHTS ? height : HEIGHTS : 0.0;
-    w->crossings[--w->ends[ray]] =
+    w->crossings[--w->ends[row * w->columns + column]] =
         (uint64_t)step << HEIGHT_SHIFT | (uint64_t)(f->cosine * (double)COSINES + 0.5) << 1 | (sign > 0 ? 1u : 0u);
 }
 
@@ -296,6 +293,7 @@ static void turn_to(struct walk *w, int direction, const double half[3])
     w->half[0] = half_along(w->u, half);
     w->half[1] = half_along(w->v, half);
     w->half[2] = half_along(w->d, half);
+    w->steps = HEIGHTS / (2.0 * w->half[2]);
 }
 
 static void begin_grid(struct walk *w, uint32_t rays)
@@ -308,8 +306,7 @@ static void begin_grid(struct walk *w, uint32_t rays)
     if (w->rows < least) w->rows = least;
     w->width = 2.0 * w->half[0] / (double)w->columns;
     w->height = 2.0 * w->half[1] / (double)w->rows;
-    const uint64_t triangles = w->faces->mesh->face_offsets[w->faces->mesh->face_count];
-    w->work_most = rays > 1 ? ZR_OVERLAP_WORK + ZR_OVERLAP_WORK_OF_CORNER * triangles : UINT64_MAX;
+    w->work_most = rays > 1 ? w->work_of_grid : UINT64_MAX;
     w->is_stopped = false;
     w->work = w->next_look = 0;
 }
@@ -327,6 +324,15 @@ static size_t sum_counts(struct walk *w, uint32_t rays, uint32_t *most)
     return sum;
 }
 
+/* Returns the work of sorting crossings, of which a ray has up to `most`: none for usual depths. */
+static uint64_t work_of_sorting(size_t count, uint32_t most)
+{
+    uint64_t doublings = 0;
+    for (; most > 8; most /= 2)
+        doublings++;
+    return count * doublings / 8;
+}
+
 /* Counts the crossings of a grid, and takes room for them. False if it is too fine. */
 static bool count_crossings(struct walk *w)
 {
@@ -334,12 +340,14 @@ static bool count_crossings(struct walk *w)
     uint32_t most;
     const size_t own = rays * (sizeof *w->ends + sizeof *w->lengths);
     if (zr_arena_block_bytes(own) > zr_arena_left(w->arena)) return false;
+    w->arena->unit = own < SMALL ? SMALL_UNIT : ZR_ARENA_BLOCK;
     w->lengths = zr_arena_zero(w->arena, rays, sizeof *w->lengths + sizeof *w->ends);
     if (!w->lengths) return false;
     w->ends = (uint32_t *)(void *)(w->lengths + rays);
     visit_all(w, count_crossing);
     if (w->is_stopped) return false;
     const size_t count = sum_counts(w, rays, &most), bytes = (count + most) * sizeof *w->crossings;
+    if (!has_work(w, work_of_sorting(count, most))) return false;
     if (count > UINT32_MAX || zr_arena_block_bytes(bytes) > zr_arena_left(w->arena)) return false;
     w->crossings = zr_arena_alloc(w->arena, count + most, sizeof *w->crossings);
     w->spare = w->crossings + count;
@@ -379,15 +387,26 @@ static double changes_of(const struct walk *w, double sign)
     return 0.5 * sum * w->width * w->height;
 }
 
+/* True if a grid takes too much work, by that of the last one. Crossings grow with the square of the rays. */
+static bool is_too_fine(const struct walk *w, uint32_t rays)
+{
+    const double finer = (double)rays / (double)w->last_rays;
+    return w->last_rays > 0 && rays > 1 && (double)w->last_work * finer * finer > (double)w->work_of_grid;
+}
+
 /* Walks along the rays of a grid, or of the finest coarser one that the work and the memory allow. False if cancelled
  * or without memory. */
 static bool walk_grid(struct walk *w, uint32_t rays, struct sums *sums)
 {
     bool is_ready = false;
     *sums = (struct sums){.has_excess = false};
+    while (is_too_fine(w, rays))
+        rays /= 2;
     for (; rays > 0 && !is_ready && !zr_is_cancelled(w->cancel); rays /= 2) {
         begin_grid(w, rays);
         is_ready = count_crossings(w);
+        w->last_rays = rays;
+        w->last_work = w->work;
     }
     if (is_ready) add_rays(w, sums);
     return is_ready && !w->is_stopped;
@@ -437,12 +456,12 @@ bool zr_overlap_find(struct zr_arena *arena, const struct zr_cancel *cancel, con
 {
     const double half[3] = {0.5 * (box->max[0] - box->min[0]), 0.5 * (box->max[1] - box->min[1]),
                             0.5 * (box->max[2] - box->min[2])};
-    struct walk w = {.arena = arena, .cancel = cancel, .faces = faces};
+    struct walk w = {.arena = arena, .cancel = cancel, .faces = faces, .work_of_grid = box->work};
     double sign, volumes[3];
     *out = (struct zr_overlap){.is_found = false};
     w.middle = (struct zr_world_place){box->min[0] + half[0], box->min[1] + half[1], box->min[2] + half[2]};
     w.thin = 2.0 * THIN * sqrt((half[0] * half[0] + half[1] * half[1]) + half[2] * half[2]);
-    if (w.thin == 0.0 || faces->end - faces->begin < OVERLAPPING_FACES_LEAST) return true;
+    if (w.thin == 0.0 || faces->end - faces->begin < ZR_OVERLAP_FACES_LEAST) return true;
     turn_to(&w, 0, half);
     if (!look(&w, &sign, &out->is_found)) return false;
     for (int i = 0; i < 3 && out->is_found; i++) {

@@ -11,8 +11,8 @@
  * Thin:   intervals whose thickness is at most a millionth of the diagonal do not count: shells that touch.
  * Error:  the spread of the directions, and a fiftieth of the changes between neighbouring rays. It held for 4 x 48
  *         random pairs of solids; it is an estimate, not a bound.
- * Work:   rows and crossings of triangles. A grid that exceeds ZR_OVERLAP_WORK and ZR_OVERLAP_WORK_OF_CORNER per corner of the mesh, or
- *         the memory left, is made coarser.
+ * Work:   rows and crossings of triangles, some 20 ns each. A grid that exceeds that of its box, or the memory left, is
+ *         made coarser.
  * Exact:  one thread, in a fixed order, without libm but for sqrt.
  */
 #ifndef ZR_OVERLAP_H
@@ -20,7 +20,8 @@
 
 #include "mesh/wall_tree.h"
 
-enum { ZR_OVERLAP_WORK = 1 << 21, ZR_OVERLAP_WORK_OF_CORNER = 16 };
+/* Parts of fewer faces have no overlap: a closed surface of fewer is a tetrahedron. */
+enum { ZR_OVERLAP_FACES_LEAST = 6 };
 
 struct zr_overlap {
     bool is_found;
@@ -28,10 +29,11 @@ struct zr_overlap {
     double moment[3];     /* of the excess, around the apex */
 };
 
-/* The box of a part, and the place around which its moments are taken. */
+/* The box of a part, the place around which its moments are taken, and the work of each of its grids. */
 struct zr_overlap_box {
     double min[3], max[3];
     struct zr_world_place apex;
+    uint64_t work;
 };
 
 /* Measures the excess of a closed part. Takes scratch from the arena and gives it back. False

@@ -360,7 +360,10 @@ static bool take_off_excess(struct zr_arena *arena, const struct measuring *m, c
 {
     if (!is_closed(m, part, sums)) return true;
     const struct zr_wall_faces faces = faces_of(m, part);
-    struct zr_overlap_box box = {.apex = apex_of(m, part)};
+    const uint64_t shared = ZR_OVERLAP_WORK / m->parts->count;
+    struct zr_overlap_box box = {.apex = apex_of(m, part),
+                                 .work = ZR_OVERLAP_WORK_OF_TRIANGLE * sums->triangles +
+                                         (shared > ZR_OVERLAP_WORK_LEAST ? shared : ZR_OVERLAP_WORK_LEAST)};
     struct zr_overlap excess;
     memcpy(box.min, sums->min, sizeof box.min);
     memcpy(box.max, sums->max, sizeof box.max);
@@ -464,7 +467,7 @@ static enum zr_status find(const struct zr_run *run, struct measuring *m, struct
     zr_team_ranges(run->team, count, 1, run_range, m);
     uint64_t steps = ZR_WALL_STEPS_MIN;
     for (uint32_t i = 0; i < count; i++)
-        steps += (uint64_t)ZR_WALL_STEPS * (m->tasks[i].end - m->tasks[i].begin);
+        steps += ZR_WALL_STEPS * m->tasks[i].sums.triangles;
     size_t task = 0;
     for (uint32_t p = 0; p < m->parts->count && !zr_is_cancelled(m->cancel); p++) {
         struct sums sums;

@@ -6,7 +6,8 @@
  *         pyramids over the fans (divergence theorem). Their apex is a corner of the part. The centre of mass is the
  *         mean of the pyramids' centroids, weighted by their volumes. What shells count more than once or against one
  *         another is measured along rays and taken off (mesh/overlap.h).
- * Wall:   by mesh/least_wall.h. The parts share ZR_WALL_STEPS_MIN steps, and ZR_WALL_STEPS for each of their faces.
+ * Wall:   by mesh/least_wall.h. The parts share ZR_WALL_STEPS_MIN steps, and ZR_WALL_STEPS for each of their triangles.
+ * Work:   limits keep it within ten times of what core/cost predicts by the number of parts and triangles.
  * Lost:   a face with a corner beyond the range of float has no area. A part with such a face is not closed.
  * Exact:  each task of ZR_FACES_PER_TASK faces has separate sums, which are added in order. The results are therefore the
  *         same for all numbers of threads and instruction sets.
@@ -24,8 +25,12 @@
 
 enum { ZR_FACES_PER_TASK = 4096 };
 
-/* Steps of the search for least walls (mesh/least_wall.h): for all parts together, and for each of their faces. */
-enum { ZR_WALL_STEPS_MIN = 1 << 23, ZR_WALL_STEPS = 48 };
+/* Steps of the search for least walls (mesh/least_wall.h): for all parts together, and for each of their triangles. */
+enum { ZR_WALL_STEPS_MIN = 1 << 17, ZR_WALL_STEPS = 256 };
+
+/* Work of a grid of rays (mesh/overlap.h): shared by all parts, but at least so much for each, and more for each of its
+ * triangles. */
+enum { ZR_OVERLAP_WORK = 9 << 14, ZR_OVERLAP_WORK_LEAST = 1 << 12, ZR_OVERLAP_WORK_OF_TRIANGLE = 24 };
 
 /* Edges of a part that is not closed, and the middle of one, in world space. */
 struct zr_edge_facts {

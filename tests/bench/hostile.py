@@ -60,6 +60,10 @@ def plates(count):
                   for i, z in ((i, rng.uniform(-1, 1)) for i in range(count))])
 
 
+def overlapping(at):
+    return boxes([([at, 0, 0], [at + 1, 1, 1]), ([at + 0.5, 0.5, 0.5], [at + 1.5, 1.5, 1.5])])
+
+
 def star(corners):
     return {"polygons": [{"vertices": [[round((1 + i % 2) * math.cos(2 * math.pi * i / corners), 5),
                                         round((1 + i % 2) * math.sin(2 * math.pi * i / corners), 5), 0]
@@ -116,12 +120,16 @@ for count in (200, 2000, 8000):
     write("hostile-nested", nested(count), **INFO)
     write("hostile-needles", needles(count), **INFO)
     write("hostile-plates", plates(count), **INFO)
+for count in (10, 50):
+    write("hostile-nested-parts", {"meshes": [dict(nested(count), name=f"part {i}") for i in range(100)]}, **INFO)
+for count in (1, 30, 1000):
+    write("hostile-overlaps", {"meshes": [dict(overlapping(i), name=f"part {i}") for i in range(count)]}, **INFO)
 for corners in (200, 1000):
     write("hostile-star", star(corners), 1280, 960)
     write("hostile-star-lines", star(corners), look="technical")
 for count in (500, 2000):
     write("hostile-layers", dict(triangles(count, 1.0), material="glass"), 640, 480,
-          materials=[{"name": "glass", "color": "#ff000080", "alphaMode": "BLEND"}])
+          materials=[{"name": "glass", "baseColorFactor": [1, 0, 0, 0.5], "alphaMode": "BLEND"}])
     write("hostile-needle-lines", needles(count), look="technical")
     write("hostile-all-layers", triangles(count, 1.0), outputs=[{"channel": "layers"}])
 print(written, "scenes")

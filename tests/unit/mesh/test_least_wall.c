@@ -291,6 +291,18 @@ TEST_AROUND(faces_at_the_same_place_end_in_bounded_work, open_arena, close_arena
     assert_true(!none.is_found);
 }
 
+/* Boxes that overlap: of each pair of opposite faces, most have a face within another box, on all lines. */
+TEST_AROUND(faces_within_other_shells_are_passed_over_in_few_steps, open_arena, close_arena)
+{
+    begin();
+    for (int i = 0; i < 20; i++)
+        add_box(0.05f * (float)i, 0, 0, 0.05f * (float)i + 1, 2, 2, false);
+    const struct zr_mesh mesh = mesh_of_growing();
+    const struct zr_least_wall wall = find_in(&mesh, &straight, 1 << 21);
+    if (!wall.is_found || fabs(wall.thickness - 1.95) > 1e-6)
+        fail_msg("%d %d %.9g", wall.is_found, wall.is_omitted, wall.thickness);
+}
+
 TEST_AROUND(triangles_without_area_change_nothing, open_arena, close_arena)
 {
     begin();
