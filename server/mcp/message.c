@@ -111,8 +111,10 @@ static cJSON *parse_rest(struct mcp_span text, const struct cuts *cuts, int *cod
 static bool is_id(struct mcp_span id)
 {
     if (*id.at == '"') return true;
-    const size_t digits = strspn(id.at + (*id.at == '-'), "0123456789");
-    return digits > 0 && id.at + (*id.at == '-') + digits == id.end;
+    const char *at = id.at + (*id.at == '-');
+    while (at < id.end && *at >= '0' && *at <= '9')
+        at++;
+    return at == id.end && at[-1] != '-';
 }
 
 /* A modern request has a key of the revision in its _meta. */
