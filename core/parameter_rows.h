@@ -41,10 +41,10 @@
     ROW(sheet, "/sheet/layout", ANY, NAME,                                                                            \
         "one picture of several views: threeView, balanced, or views with the parameter views")                        \
     ROW(sheetColumns, "/sheet/columns", ANY, WHOLE, "views in a row of the sheet")                                    \
+    ROW(width, "/window/width", ANY, SIDE, "width of the window (default: the scene's, of models 640)")                \
+    ROW(height, "/window/height", ANY, SIDE, "height of the window (default: the scene's, of models 480)")             \
     ROW(look, "/look", MESH, NAME, "; NAME@VERSION pins a version (default: studio)")                                  \
     ROW(samples, "/samples", MESH, COUNT, "samples per pixel: 1, 4, 16 or 64 (default: the look's)")                   \
-    ROW(width, "/window/width", MESH, SIDE, "width of the window (default: 640)")                                      \
-    ROW(height, "/window/height", MESH, SIDE, "height of the window (default: 480)")                                   \
     ROW(preset, "/view/preset", MESH, NAME,                                                                            \
         "side of the camera: front, back, left, right, top, bottom or isometric (default: the look's view)")           \
     ROW(azimuth, "/view/azimuthDegrees", MESH, DEGREES, "angle of the camera to the right of the front")               \

@@ -98,20 +98,20 @@ static bool is_web_page(const struct bytes *body)
     return false;
 }
 
-/* Refuses options that are keys of scenes. In a batch, which may have models, too, a warning says that they are not
- * used. */
+/* Refuses options that are keys of scenes. In a batch, which may have models, too, warnings name them. */
 static bool refuse_parameters(struct input *input, const struct options *options, struct bytes *faults)
 {
     char flag[FLAG_SIZE];
     const bool is_batch = options->command && strcmp(options->command->name, "batch") == 0;
     for (size_t i = 0; i < PARAMETER_COUNT; i++) {
-        if (!parameter_rows[i].of_mesh || !options->parameters[i]) continue;
-        options_flag_of(parameter_rows[i].name, strlen(parameter_rows[i].name), flag);
-        const bool is_size = options->own[OPTION_SIZE] && strcmp(parameter_rows[i].name, "width") == 0;
-        bytes_print(is_batch ? &input->warnings : faults,
-                    "%s is for meshes, ending with" OPTIONS_MESHES "; a JSON scene has the key %s in the file instead%s",
-                    is_size ? "--size" : flag, is_size ? "window" : parameter_rows[i].name, is_batch ? "\n" : "");
-        return !is_batch;
+        const struct parameter_row *row = &parameter_rows[i];
+        const bool has_key = strncmp(row->pointer, "/query/", strlen("/query/")) != 0;
+        if (!row->of_mesh || !options->parameters[i]) continue;
+        options_flag_of(row->name, strlen(row->name), flag);
+        bytes_print(is_batch ? &input->warnings : faults, "%s is for meshes, ending with" OPTIONS_MESHES "; %s%s%s%s", flag,
+                    has_key ? "a JSON scene has the key " : "leave it out for a JSON scene", has_key ? row->pointer : "",
+                    has_key ? " in the file instead" : "", is_batch ? "\n" : "");
+        if (!is_batch) return true;
     }
     return false;
 }

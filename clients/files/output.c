@@ -154,11 +154,20 @@ bool output_may_be_folder(const char *path)
     return !output_is_name(path) && !input_has_ending(path);
 }
 
+/* Returns true for a device or a pipe, such as /dev/stdout. */
+static bool is_special(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
+}
+
 /* Returns true if an ending names a known format other than this one. An animated PNG may have the ending of a PNG,
- * which shows its first frame where animations are unknown. */
+ * which shows its first frame where animations are unknown. Several files in one need an ending: a name without one
+ * may be that of a folder. */
 static bool says_another_format(const char *out, const struct format *format)
 {
     const char *ending = ending_of(out);
+    if (!*ending && strcmp(format->ending, "zip") == 0) return strcmp(out, "-") != 0 && !is_special(out);
     if (is_ending(ending, format)) return false;
     if (strcmp(format->ending, "apng") == 0 && strcasecmp(ending, "png") == 0) return false;
     return is_written(ending) || is_foreign(ending) || input_has_ending(out);
@@ -327,7 +336,7 @@ static int save_as(const struct target *target, const struct answer *answer, con
         return save(target, out, answer->file.data, answer->file.size, no_clobber, names, faults);
     bytes_print(faults, "nothing is saved: the output is %s; -o %.*s.%s saves it%s", format->name,
                 (int)(dot_of(out) - out), out, format->ending,
-                strcasecmp(ending_of(out), "png") == 0 ? advice_of(format) : "");
+                strcasecmp(ending_of(out), "png") == 0 || !*ending_of(out) ? advice_of(format) : "");
     return STATUS_USAGE;
 }
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #include "endings.h"
 #include "files/bytes.h"
@@ -38,7 +39,7 @@ const struct option_row option_rows[OPTION_COUNT] = {OPTION_ROWS(OPTION)};
 enum { ANY, MESH };
 #define KIND(ID, placeholder) static const char VALUE_##ID[] = placeholder;
 ZR_PARAMETER_KINDS(KIND)
-#define PARAMETER(name, pointer, of, kind, help) {#name, of == MESH, VALUE_##kind, help},
+#define PARAMETER(name, pointer, of, kind, help) {#name, pointer, of == MESH, VALUE_##kind, help},
 _Static_assert((int)PARAMETER_COUNT <= PARAMETERS_MAX, "struct options has room for each");
 const struct parameter_row parameter_rows[PARAMETER_COUNT] = {ZR_PARAMETER_ROWS(PARAMETER)};
 
@@ -137,6 +138,15 @@ static bool is_truth(const char *text)
     return false;
 }
 
+/* Returns true for a word that people write behind an option to turn it on or off, unless a file has that name. */
+static bool is_switch_word(const char *text)
+{
+    static const char *const words[] = {"on", "off", "yes", "no", "true", "false", "1", "0"};
+    for (size_t i = 0; text && i < sizeof words / sizeof *words; i++)
+        if (strcasecmp(text, words[i]) == 0) return access(text, F_OK) != 0;
+    return false;
+}
+
 /* Returns true for "--name", and for "-x" that is no number. */
 static bool is_option(const char *text)
 {
@@ -188,14 +198,19 @@ static int read_option(int count, const char **arguments, int *at, struct option
         length = found.slot ? 2 : length;
     }
     if (!found.slot) return unknown(flag, length);
+    const char *next = *at + 1 < count ? arguments[*at + 1] : NULL;
     if (found.row && !found.row->value) {
+        if (!inside && is_switch_word(next)) inside = next;
         if (inside) return options_wrong("%.*s has no value; leave out %s", (int)length, flag, inside);
         return store(options, &found, "true");
     }
     const bool is_boolean = found.parameter && found.parameter->value[0] == '[';
-    if (is_boolean && !inside && (*at + 1 >= count || !is_truth(arguments[*at + 1])))
+    if (is_boolean && !inside && !is_truth(next)) {
+        if (is_switch_word(next))
+            return options_wrong("%.*s accepts true, false or nothing, not %s", (int)length, flag, next);
         return store(options, &found, "true");
-    const char *value = inside ? inside : *at + 1 < count ? arguments[++*at] : "";
+    }
+    const char *value = inside ? inside : next ? arguments[++*at] : "";
     const bool may_be_axis = found.parameter && strcmp(found.parameter->value, "AXIS") == 0;
     if (*value == '\0' || (!inside && is_option(value) && !(may_be_axis && is_axis(value))))
         return missing(&found, flag, length);

@@ -14,8 +14,9 @@ enum parameter {
 };
 struct parameter_row {
     const char *name;
-    bool of_mesh;      /* for meshes only */
-    const char *value; /* placeholder; in brackets: may be omitted, which means true */
+    const char *pointer; /* of the key of a scene; under /query: there is none */
+    bool of_mesh;        /* for meshes only */
+    const char *value;   /* placeholder; in brackets: may be omitted, which means true */
     const char *help;
 };
 extern const struct parameter_row parameter_rows[PARAMETER_COUNT];

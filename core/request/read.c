@@ -2,6 +2,7 @@
 #include "change.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/run.h"
 #include "geometry/geometry.h"
@@ -76,11 +77,21 @@ static enum zr_status name_bytes(const struct zr_request *request, enum zr_statu
     return status;
 }
 
+/* True for no bytes, or a few of white space only. */
+static bool is_empty(const struct zr_request *request)
+{
+    enum { FEW = 64 };
+    size_t i = 0;
+    while (i < request->size && i < FEW && strchr(" \t\r\n", request->bytes[i]) && request->bytes[i])
+        i++;
+    return i == request->size;
+}
+
 /* Detects the format from the bytes if the request has no type. ZR_BAD_TYPE if none fits. */
 static enum zr_status find_format(struct zr_request *request, struct zr_error *error)
 {
     if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
-    if (request->size == 0) return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "the body is empty");
+    if (is_empty(request)) return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "the body is empty");
     request->format = zr_format_of_bytes(request->bytes, request->size);
     if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
     const char *words = zr_bytes_in_words(request->bytes, request->size);

@@ -265,7 +265,6 @@ mkdir jsons && cp scene.json jsons/ && cp part.stl jsons/
 printf '{"name": "meshes", "scripts": {"polygons": []}}' >jsons/package.json
 check "a batch leaves out JSON files that are no scenes" 0 "$zraster" batch jsons -o jsons/out -s 8 --json
 verdict "and says how many" grep -q 'left out: JSON files without meshes or polygons, which are no scenes: 2; the first is jsons/package.json' "$complained"
-verdict "and that scenes have their own size" grep -q -e '--size is for meshes' "$complained"
 verdict "but no scene" [ "$(ls jsons/out | tr '\n' ' ')" = "part.png scene.png " ]
 mkdir only && cp jsons/part.info.json only/
 check "a folder of nothing else is refused" 2 "$zraster" batch only

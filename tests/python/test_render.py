@@ -253,7 +253,6 @@ class Errors(unittest.TestCase):
                 self.refused(zraster.OptionError, "size: .*: 1 to 8192 pixels per side", source, size=size)
         self.refused(zraster.SceneError, "1 to 8192", SCENE, size=9000)
         self.refused(zraster.OptionError, "size: width and height", OBJ, size=3, width=3)
-        self.refused(zraster.OptionError, r"give size=\(width, height\)", SCENE, width=3)
         self.refused(zraster.OptionError, "color: for meshes without a scene", SCENE, color="red")
         for source in (OBJ, SCENE, json.dumps(SCENE).encode()):
             for view in ("front", "top", {"eye": [1, 2, 3]}, [[1, 0, 0, 0]] * 4):

@@ -147,7 +147,7 @@ class Addresses(Folder):
         tags = lambda *queries: {self.get(name, query, "HEAD")[1]["ETag"] for query in queries}
         self.assertEqual(len(tags("?width=80&color=red", "?color=%23F00&width=080", "?color=%23ff0000&width=80&compress=fast")), 1)
         newest = self.get(name, "?look=studio")[1]["Zraster-Look"]
-        self.assertEqual(len(tags("?look=studio", "?look=" + newest, "?look=studio&width=640&height=480")), 1)
+        self.assertEqual(len(tags("?look=studio", "?look=" + newest, "?look=studio&fileLights=0")), 1)
         self.assertEqual(len(tags("", "?look=studio", "?look=studio@1", "?width=80", "?compress=small", "?channel=depth")), 6)
 
     def test_refused(self):
@@ -250,7 +250,7 @@ class Bounds(Folder):
 
 
 QUERIES = ["", "?channel=depth", "?encoding=jpeg", "?strict=0&compress=fast", "?channel=info", "?encoding=jpeg&quality=85"]
-OF_MESHES = ["?height=48&look=textbook", "?look=textbook&height=048", "?look=textbook@1&height=48&width=640", "?height=48&look=studio&width=64",
+OF_MESHES = ["?height=48&look=textbook", "?look=textbook&height=048", "?look=textbook@1&height=48&fileLights=0", "?height=48&look=studio&width=64",
              "?look=studio&width=64&height=48&exposure=1e0", "?look=studio&width=64&height=48&color=tomato"]
 
 

@@ -242,10 +242,13 @@ TEST(parts_that_nothing_asks_for_are_warned_of)
     body.size = 0;
     add_part(&body, "name=scene", GOOD_SCENE, strlen(GOOD_SCENE));
     add_part(&body, "name=\"left over\"", "", 0);
+    add_part(&body, "name=look", "clay", 4);
     end_parts(&body);
     struct reply reply = send_parts("/v1/render", &body);
     assert_int_equal(reply.status, 200);
-    assert_string_equal(reply_header(&reply, "Zraster-Warnings"), "the asset 'left over' is not used by the scene");
+    assert_string_equal(reply_header(&reply, "Zraster-Warnings"),
+                        "the asset 'left over' is not used by the scene; the asset 'look' is not used by the scene; "
+                        "parameters go into the query of the address");
     reply_free(&reply);
 }
 

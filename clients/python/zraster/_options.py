@@ -147,8 +147,6 @@ def split(
         if "width" in given or "height" in given:
             raise OptionError("size: width and height are given, too; give one of them")
         found += [(name, number, rows()[name]) for name, number in zip(("width", "height"), _size(size))]
-    elif not source.is_mesh and ("width" in given) != ("height" in given):
-        raise OptionError("width and height of a scene's window go together: give size=(width, height)")
     query: Dict[str, str] = {}
     keys: Dict[str, Any] = {}
     for keyword, value, row in sorted(found, key=lambda item: bool(item[2].name)):  # whole keys first

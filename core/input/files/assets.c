@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "input/text/text.h"
+#include "parameter_rows.h"
 #include "render_request.h"
 
 const char *zr_stored_name(const char *asset)
@@ -13,11 +14,22 @@ const char *zr_stored_name(const char *asset)
     return strspn(sha256, "0123456789abcdef") == DIGITS && sha256[DIGITS] == '\0' ? sha256 : NULL;
 }
 
+static bool is_parameter(const char *name)
+{
+#define NAME(name, ...) #name,
+    static const char *const names[] = {ZR_PARAMETER_ROWS(NAME)};
+#undef NAME
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(name, names[i]) == 0) return true;
+    return false;
+}
+
 void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset)
 {
     if (asset->packed || asset->is_optional) return; /* zr_zip_body_warn */
-    zr_warning_list_add(builder->arena, &builder->warnings, "the asset %s is not used by the scene",
-                        zr_quote(asset->name, strlen(asset->name)).text);
+    zr_warning_list_add(builder->arena, &builder->warnings, "the asset %s is not used by the scene%s",
+                        zr_quote(asset->name, strlen(asset->name)).text,
+                        is_parameter(asset->name) ? "; parameters go into the query of the address" : "");
 }
 
 struct zr_parsed_assets zr_parsed_assets_of(const struct zr_scene_builder *builder, const struct zr_request *request)

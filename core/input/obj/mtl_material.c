@@ -171,10 +171,13 @@ static void put_color(struct zr_mtl *mtl, const struct zr_mtl_values *given, con
     const float *v = given->diffuse;
     const float alpha = alpha_of(mtl, given);
     const bool has_texture = out->textures[ZR_TEXTURE_BASE_COLOR].number > 0;
-    const bool is_hidden = given->has_diffuse && v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f && map->has_color;
-    if (is_hidden) zr_mtl_note(mtl, ZR_MTL_NOTE_BLACK, &given->maps[ZR_MTL_MAP_COLOR].whole);
-    out->base_color = !given->has_diffuse || is_hidden ? (zr_vec4){1, 1, 1, alpha} : (zr_vec4){v[0], v[1], v[2], alpha};
-    if (given->has_diffuse || has_texture || alpha < 1.0f) out->keys |= UINT64_C(1) << ZR_MATERIAL_BASE_COLOR;
+    const struct zr_mtl_given_map *color = &given->maps[ZR_MTL_MAP_COLOR];
+    const bool is_black = given->has_diffuse && v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f;
+    const bool has_diffuse = given->has_diffuse && !(is_black && color->is_given);
+    if (has_diffuse != given->has_diffuse)
+        zr_mtl_note(mtl, map->has_color ? ZR_MTL_NOTE_BLACK : ZR_MTL_NOTE_BLACK_ALONE, &color->whole);
+    out->base_color = has_diffuse ? (zr_vec4){v[0], v[1], v[2], alpha} : (zr_vec4){1, 1, 1, alpha};
+    if (has_diffuse || has_texture || alpha < 1.0f) out->keys |= UINT64_C(1) << ZR_MATERIAL_BASE_COLOR;
     out->blends = map->is_see_through || alpha < 1.0f;
     if (!out->blends) out->face_style.alpha_mode = ZR_ALPHA_OPAQUE;
 }

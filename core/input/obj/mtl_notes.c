@@ -20,6 +20,8 @@ static const struct {
                             "materials would be invisible (d 0 or Tr 1), and are drawn opaque"},
     [ZR_MTL_NOTE_BLACK] = {"Kd of 0 would hide its map_Kd, and is taken as 1",
                            "Kd of 0 would hide their map_Kd, and are taken as 1"},
+    [ZR_MTL_NOTE_BLACK_ALONE] = {"material with a Kd of 0 lacks its map_Kd, and has the default colour",
+                                 "materials with a Kd of 0 lack their map_Kd, and have the default colour"},
     [ZR_MTL_NOTE_OPTION] = {"option is not drawn", "options are not drawn"},
     [ZR_MTL_NOTE_MISSING] = {"texture is no part of the request, and is not drawn",
                              "textures are no parts of the request, and are not drawn"},

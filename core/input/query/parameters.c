@@ -114,6 +114,9 @@ static const struct {
 } required[] = {
     {"/outputs/0/channel", "\"color\""}, {"/materials/0/name", "\"mesh\""}, {"/lights/0/type", "\"directional\""}};
 
+/* Keys with a default in scenes and none in queries: without them, the other keys of their objects are refused. */
+static const char *const needed[] = {"/turntable/frames", "/sheet/layout"};
+
 static const char *const projections[] = {"orthographic", "perspective"};
 static const struct zr_names projection_names = ZR_NAMES(2, projections);
 
@@ -301,6 +304,19 @@ static uint64_t write_object(const struct reading *r, const struct zr_parameter_
     return reported;
 }
 
+/* Refuses the first given row of an object without its needed key. */
+static bool lacks_key(const struct reading *r, const struct zr_parameter_row *row, const struct zr_parameter_row *end)
+{
+    bool is_needed = false;
+    for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
+        is_needed = is_needed || strcmp(row->pointer, needed[i]) == 0;
+    if (!is_needed || zr_parameter_text(r->request, row)) return false;
+    const struct zr_parameter_row *given = row + 1;
+    while (given < end && !zr_parameter_text(r->request, given))
+        given++;
+    return zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "parameter %s: %s is missing", given->name, row->name) != ZR_OK;
+}
+
 /* Reads the rows of one object. Those of outputs may be several objects. */
 static void read_rows(const struct reading *r, const struct zr_parameter_row *row, const struct zr_parameter_row *end)
 {
@@ -310,7 +326,7 @@ static void read_rows(const struct reading *r, const struct zr_parameter_row *ro
     for (const struct zr_parameter_row *at = row; at < end; at++)
         if (zr_parameter_text(r->request, at))
             room += 2 * strlen(at->pointer) + 6 * strlen(zr_parameter_text(r->request, at)) + ZR_PARAMETER_ROOM;
-    if (room == 0) return;
+    if (room == 0 || lacks_key(r, row, end)) return;
     if (count > ZR_CHANNEL_COUNT) {
         zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "parameter channel: %zu channels; up to %d are allowed", count,
                      ZR_CHANNEL_COUNT);

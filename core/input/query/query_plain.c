@@ -6,19 +6,13 @@
 #include "input/query/parameter_values.h"
 #include "input/query/parameters.h"
 #include "input/text/color_text.h"
-#include "scene/defaults.h"
 #include "scene/looks.h"
-
-#define TEXT_OF(number)       #number
-#define TEXT_OF_MACRO(number) TEXT_OF(number)
 
 /* Values that are the same as no parameter, for all files. */
 static const struct {
     const char *name, *value;
 } defaults[] = {{"compress", "\"fast\""},
                 {"strict", "false"},
-                {"width", TEXT_OF_MACRO(ZR_DEFAULT_WIDTH)},
-                {"height", TEXT_OF_MACRO(ZR_DEFAULT_HEIGHT)},
                 {"fileLights", "false"}};
 
 size_t zr_query_plain_room(const struct zr_request *request)

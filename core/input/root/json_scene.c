@@ -78,10 +78,13 @@ static bool save(struct zr_parsed_scene *root)
     return (keeping->if_views && !root->scene->view_set) || zr_kept_save(keeping->into, root);
 }
 
-/* Views and the sheet of the query override those of the text. A sheet that chooses its own views drops the text's. */
-static void use_asked_views(struct zr_scene *scene, const struct zr_scene *asked)
+/* Sides of the window, views and the sheet of the query override those of the text. A sheet that chooses its own views
+ * drops the text's. */
+static void use_asked(struct zr_scene *scene, const struct zr_scene *asked)
 {
     if (!asked) return;
+    if (asked->views[0].width > 0) scene->views[0].width = asked->views[0].width;
+    if (asked->views[0].height > 0) scene->views[0].height = asked->views[0].height;
     if (asked->view_set || (asked->sheet.is_on && asked->sheet.layout != ZR_SHEET_VIEWS))
         scene->view_set = asked->view_set;
     if (asked->sheet.is_on) scene->sheet = asked->sheet;
@@ -96,13 +99,21 @@ static bool is_shallow(struct zr_json *json)
     return good;
 }
 
+static bool read_keys(struct zr_parsed_scene *root)
+{
+    struct zr_json *json = &root->json;
+    if (zr_json_type(json) != ZR_JSON_OBJECT)
+        return zr_json_expect(json, NULL, "a scene, which is an object such as {\"meshes\": [...]}");
+    return zr_json_fields(json, NULL, &zr_json_object_scene, root, &root->keys);
+}
+
 /* Reads the text and makes the scene. */
 static void read_text(struct zr_parsed_scene *root, const struct zr_request *request)
 {
     struct zr_json *json = &root->json;
     zr_json_open(json, request->bytes, request->size);
-    const bool is_read = zr_json_fields(json, NULL, &zr_json_object_scene, root, &root->keys) && zr_json_end(json);
-    if (is_read) use_asked_views(root->scene, root->builder->asked);
+    const bool is_read = read_keys(root) && zr_json_end(json);
+    if (is_read) use_asked(root->scene, root->builder->asked);
     if (is_read && save(root)) build(root);
     if (!json->far || !zr_far_moves(json->far->origin)) return;
     root->scene->origin = json->far->origin;

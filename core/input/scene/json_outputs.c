@@ -1,3 +1,4 @@
+#include <math.h>
 #include <string.h>
 
 #include "input/scene/json_objects.h"
@@ -104,7 +105,11 @@ const struct zr_json_object zr_json_object_output = {ZR_JSON_FIELDS("output", fi
             },
             "dpi": {
                 "if": {"properties": {"encoding": false}}, "then": {"properties": {"channel": {"const": "color"}}},
-                "else": {"properties": {"encoding": {"enum": ["png", "png16", "png32", "jpeg"]}}}
+                "else": {
+                    "properties": {"encoding": {"enum": ["png", "png16", "png32", "jpeg"]}},
+                    "if": {"properties": {"encoding": {"const": "jpeg"}}},
+                    "then": {"properties": {"dpi": {"multipleOf": 1}}}
+                }
             },
             "to": {"properties": {"channel": {"const": "flow"}}},
             "x": {"properties": {"channel": {"const": "fragments"}}},
@@ -167,6 +172,9 @@ static void check_compression(struct zr_json *json, const struct zr_json_path *p
         fault_encoding(json, ZR_JSON_KEY(path, fields[MAX_BYTES].key), ZR_ENCODING_HAS_MAX_BYTES, "it");
     if (zr_json_gives(keys, DPI) && !zr_encoding_has(output->encoding, ZR_ENCODING_HAS_DPI))
         fault_encoding(json, ZR_JSON_KEY(path, fields[DPI].key), ZR_ENCODING_HAS_DPI, "it");
+    if (output->encoding == ZR_ENCODING_JPEG && output->dpi != floorf(output->dpi))
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[DPI].key),
+                      "%.9g is not a whole number, which a jpeg needs; a png takes fractions", (double)output->dpi);
 }
 
 static void check_range(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,

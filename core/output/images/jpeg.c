@@ -131,7 +131,7 @@ static void run(struct writing *writing, struct zr_arena *scratch, const struct 
     set_quality(jpeg, image->quality);
     if (image->dpi > 0.0f) {
         jpeg->density_unit = 1;
-        jpeg->X_density = jpeg->Y_density = (UINT16)(image->dpi + 0.5f);
+        jpeg->X_density = jpeg->Y_density = (UINT16)image->dpi;
     }
     write_rows(jpeg, image);
 }

@@ -23,7 +23,7 @@ struct zr_lossy {
     bool is_lossless;    /* WebP: each pixel is kept, colours under alpha 0 too */
     bool is_small;       /* lossless WebP: some percent fewer bytes in three times the time */
     uint32_t quality;    /* 1..100 */
-    float dpi;           /* JPEG: pixels per inch that the file names; 0: none */
+    float dpi;           /* JPEG: whole pixels per inch that the file names; 0: none */
 };
 
 struct zr_lossy_file {

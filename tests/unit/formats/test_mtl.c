@@ -89,6 +89,10 @@ TEST(values_become_those_of_a_material)
         {"map_Kd m.mtl", -1, 1, 1, 1, 0, 0.55f, "MTL: 1 texture cannot be read, and is not drawn; it is line 2"},
         {"Kd 0 0 0\nmap_Kd c.png", 1, 1, 1, 1, 0, 0.55f,
          "MTL: 1 Kd of 0 would hide its map_Kd, and is taken as 1; it is line 3: 'map_Kd c.png'"},
+        {"Kd 0 0 0\nmap_Kd no.png", -1, 1, 1, 1, 0, 0.55f,
+         "MTL: 1 material with a Kd of 0 lacks its map_Kd, and has the default colour; it is line 3: 'map_Kd no.png'"},
+        {"Kd 0 0 0\nmap_Kd m.mtl\nd 0.5", 1, 1, 1, 0.5f, 0, 0.55f,
+         "MTL: 1 material with a Kd of 0 lacks its map_Kd, and has the default colour; it is line 3: 'map_Kd m.mtl'"},
         {"Kd 0 0 0\nmap_d g.png", 0, 0, 0, 1, 0, 0.55f, ""},
         {"map_Kd a b.png", 1, 1, 1, 1, 0, 0.55f,
          "MTL: 1 map_Kd has an alpha below 1 and no map_d that uses it: it is drawn opaque"},
@@ -106,6 +110,7 @@ TEST(values_become_those_of_a_material)
         const struct zr_material *got = material_of(reading, 0);
         const bool has_color = got->base_color.x == rows[i].r && got->base_color.y == rows[i].g &&
                                got->base_color.z == rows[i].b && got->base_color.w == rows[i].alpha;
+        if (rows[i].r < 0.0f) assert_true(got->base_color.x > 0.1f);
         if (!has_color && rows[i].r >= 0.0f)
             fail_msg("row %zu: colour %g %g", i, (double)got->base_color.x, (double)got->base_color.w);
         if (!IS_NEAR(got->metallic, rows[i].metallic) || !IS_NEAR(got->roughness, rows[i].roughness))

@@ -226,12 +226,27 @@ TEST(query_of_bare_meshes_is_refused)
         struct zr_request request;
         const char *detail;
     } cases[] = {{{.preset = "top"}, "parameter preset belongs to bodies that are a bare mesh"},
-                 {{.width = "4"}, "parameter width belongs"},
-                 {{.height = "4"}, "parameter height belongs"},
                  {{.shading = "flat"}, "parameter shading belongs"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reading *reading = read_request(cases[i].request, "{", 1, zr_limits_default(), 1 << 20);
         assert_complaint(reading, ZR_BAD_REQUEST, "", cases[i].detail);
+        reading_free(reading);
+    }
+}
+
+TEST(sides_in_the_query_override_the_window)
+{
+    static const char scene[] =
+        "{\"window\":{\"width\":9,\"height\":8},\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}";
+    static const struct {
+        struct zr_request request;
+        uint32_t width, height;
+    } cases[] = {{{0}, 9, 8}, {{.width = "4"}, 4, 8}, {{.height = "5"}, 9, 5}, {{.width = "640", .height = "480"}, 640, 480}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reading *reading = read_request(cases[i].request, scene, strlen(scene), zr_limits_default(), 1 << 20);
+        assert_read(reading);
+        assert_int_equal(reading->scene->views[0].width, cases[i].width);
+        assert_int_equal(reading->scene->views[0].height, cases[i].height);
         reading_free(reading);
     }
 }

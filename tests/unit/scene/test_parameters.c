@@ -269,6 +269,10 @@ TEST(wrong_query_gives_bad_request_naming_the_parameter)
         {{.format = ZR_FORMAT_OBJ, .section = "x,x,x,x,x,x,x"},
          "section: 'x,x,x,x,x,x,x' is not a list of up to 6 planes"},
         {{.format = ZR_FORMAT_OBJ, .sectionCorner = "true"}, "sectionCorner: section is missing"},
+        {{.format = ZR_FORMAT_OBJ, .turntableElevation = "20"}, "parameter turntableElevation: turntable is missing"},
+        {{.format = ZR_FORMAT_JSON, .turntableSeconds = "2"}, "parameter turntableSeconds: turntable is missing"},
+        {{.format = ZR_FORMAT_JSON, .sheetColumns = "2", .views = "top,front"},
+         "parameter sheetColumns: sheet is missing"},
         {{.format = ZR_FORMAT_STL, .sectionHatch = "true"},
          "parameter sectionHatch: section is missing, which is needed here: planes that cut the mesh open: x, y or z, "
          "a "
