@@ -124,8 +124,14 @@ class Request:
         made.body = dump(scene, made.parts)
         return made
 
+    def _may_be_several(self) -> bool:
+        """True if keywords ask for several views, or the text of a scene may do so: a change would drop its views."""
+        if not SEVERAL.isdisjoint([*self.keys, *self.query]):
+            return True
+        return not self.source.is_mesh and any(f'"{key}"'.encode() in self.body for key in SEVERAL)
+
     def draw(self, renderer: Renderer, cancel: Optional[Cancel]) -> Picture:
-        if self.keys and not SEVERAL.isdisjoint([*self.keys, *self.query]):
+        if self.keys and self._may_be_several():
             return self.merged({}, self.keys).draw(renderer, cancel)
         if self.keys:  # some of which the parameters of outputs need
             late = {name: value for name, value in self.query.items() if name in OF_OUTPUTS}

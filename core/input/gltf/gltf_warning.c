@@ -43,8 +43,8 @@ void zr_gltf_warn(struct zr_gltf *file)
             "channels target properties that are not read");
     warn_of(file, all, &file->zero_strides, "0, taken as elements without gaps",
             "strides are 0 and are taken as elements without gaps");
-    warn_of(file, all, &file->holes, "a position is not finite: what is drawn there is left out",
-            "positions are not finite: what is drawn there is left out");
+    warn_of(file, all, &file->holes, "a position is not finite: its faces, lines and points are left out",
+            "positions are not finite: their faces, lines and points are left out");
     warn_of(file, all, &file->short_buffers, "more than there are bytes; those that are used are there",
             "buffers have fewer bytes than their byteLength; those that are used are there");
     warn_of(file, all, &file->other_counts, "not the count of the compressed data, which is drawn",

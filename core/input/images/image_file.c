@@ -14,7 +14,7 @@ bool zr_image_fits(uint32_t width, uint32_t height, uint64_t texels_max, struct 
     else if (texels > texels_max)
         zr_reason_give(reason,
                        "an image of %" PRIu32 " x %" PRIu32 " texels; %" PRIu64
-                       " are left of what all images of a request may have together (imagePixelsMax)",
+                       " are left of imagePixelsMax, which all images of a request share",
                        width, height, texels_max);
     else
         return true;

@@ -128,7 +128,7 @@ static void check_progress(j_common_ptr common)
     else if (texels * times > SCANS_OF_LARGEST * reading->texels_max)
         zr_reason_give(reading->reason,
                        "a JPEG of %u x %u texels in %d scans or more%s; up to %" PRIu64
-                       " texels in all scans together are allowed, %d times what is left of imagePixelsMax",
+                       " texels in all scans together are allowed, %d times the rest of imagePixelsMax",
                        jpeg->image_width, jpeg->image_height, jpeg->input_scan_number,
                        jpeg->arith_code ? ", of arithmetic coding, which count four times" : "",
                        SCANS_OF_LARGEST * reading->texels_max, (int)SCANS_OF_LARGEST);

@@ -212,7 +212,7 @@ static void warn_of_fitted_view(struct zr_parsed_scene *root)
     bool fitted_planes = view->projection != ZR_PROJECTION_MATRIX && !(view->has_znear && view->has_zfar);
     if (fitted_pose || fitted_size || fitted_planes)
         zr_warning_list_add(root->json.arena, &root->builder->warnings,
-                            "the view's %s fitted to the new geometry, not to what base shows",
+                            "the view's %s fitted to the new geometry, not to the picture of base",
                             fitted_pose   ? "pose is"
                             : fitted_size ? "size is"
                                           : "znear and zfar are");

@@ -37,8 +37,8 @@ static const struct words all_words[ZR_OBJ_NOTES] = {
                                "lines (l) have wrong indices, and are not drawn", true},
     [ZR_OBJ_NOTE_BAD_POINTS] = {"statement of points (p) has wrong indices, and is not drawn",
                                 "statements of points (p) have wrong indices, and are not drawn", true},
-    [ZR_OBJ_NOTE_HOLES] = {"vertex is not finite, and what is drawn there is left out",
-                           "vertices are not finite, and what is drawn there is left out", true},
+    [ZR_OBJ_NOTE_HOLES] = {"vertex is not finite; its faces, lines and points are left out",
+                           "vertices are not finite; their faces, lines and points are left out", true},
 };
 
 /* Warnings about names, which are found after the whole text is read. */

@@ -140,7 +140,7 @@ static void add_overlaps(struct zr_arena *arena, const struct zr_frame *frame, s
     if (count > 0)
         zr_warning_list_add(arena, w,
                             "shells of %" PRIu32 " parts overlap or are turned against one another, the first: %.100s: "
-                            "volume and centerOfMass count what is inside once, to within volumeError",
+                            "volume and centerOfMass count each place inside once, to within volumeError",
                             count, parts->list.at[first].name);
 }
 

@@ -124,7 +124,7 @@ TEST(huge_pictures_cost_nothing)
     } cases[] = {{16385, 1, "16385 x 1 texels; up to 16384 per side are allowed"},
                  {1, 0x7fffffff, "up to 16384 per side"},
                  {0xffffffff, 0xffffffff, "up to 16384 per side"},
-                 {1024, 1025, "1024 x 1025 texels; 1048576 are left of what all images"},
+                 {1024, 1025, "1024 x 1025 texels; 1048576 are left of imagePixelsMax"},
                  {0, 7, "both sides must be at least 1"},
                  {7, 0, "both sides must be at least 1"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

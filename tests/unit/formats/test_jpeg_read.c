@@ -142,7 +142,7 @@ TEST(huge_pictures_cost_nothing)
         uint16_t width, height;
         const char *why;
     } cases[] = {{65500, 65500, "65500 x 65500 texels; up to 16384 per side are allowed"},
-                 {16384, 16384, "16384 x 16384 texels; 1048576 are left of what all images"},
+                 {16384, 16384, "16384 x 16384 texels; 1048576 are left of imagePixelsMax"},
                  {0, 7, "a broken JPEG"},
                  {7, 0, "a broken JPEG"}};
     for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {

@@ -42,9 +42,9 @@ static const struct {
     /* vertices that are not finite */
     {V "v nan -1.#IND inf\nf 1 2 4\no a\nf 4 3 1 2\n" F "o b\nf -1 1 2\nf 3 2 1\n",
      V "v 0 0 0\no a\n" F "o b\nf 3 2 1\n",
-     "OBJ: 1 vertex is not finite, and what is drawn there is left out; it is line 4: 'v nan -1.#IND inf'"},
+     "OBJ: 1 vertex is not finite; its faces, lines and points are left out; it is line 4: 'v nan -1.#IND inf'"},
     {"v nan 0 0\n" V "vn 0 0 1\ns 1\nf 1 2 3\ns 2\nf 4//1 3//1 2//1\nl 1 2\nl 2 3\np 1 3\n",
-     "v 0 0 0\n" V "vn 0 0 1\ns 2\nf 4//1 3//1 2//1\nl 2 3\np 3\n", "OBJ: 1 vertex is not finite, and what is"},
+     "v 0 0 0\n" V "vn 0 0 1\ns 2\nf 4//1 3//1 2//1\nl 2 3\np 3\n", "OBJ: 1 vertex is not finite; its"},
     {"v nan 0 0\nv 9000000000 0 0\nv 9000000001 0 0\nv 9000000000 1 0\nf 2 3 4\n",
      "v 9000000000 0 0\nv 9000000000 0 0\nv 9000000001 0 0\nv 9000000000 1 0\nf 2 3 4\n", "OBJ: 1 vertex is not"},
     {V "v nan 0 0\n", V, "OBJ: 1 vertex is not finite"},

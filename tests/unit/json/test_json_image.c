@@ -160,7 +160,7 @@ TEST(pixels_of_all_images_are_counted_together)
     struct fixture *f = open_fixture();
     f->root.images.pixels_max = 11;
     assert_int_equal(find(f, NULL, "red"), 0);
-    refuse(f, NULL, "blue", "/t/asset", "an image of 3 x 2 texels; 5 are left of what all images");
+    refuse(f, NULL, "blue", "/t/asset", "an image of 3 x 2 texels; 5 are left of imagePixelsMax");
     assert_int_equal(find(f, red_uri, NULL), 0); /* decoded before */
     f->root.images.pixels_max = 12;
     assert_int_equal(find(f, NULL, "blue"), 1);
