@@ -31,16 +31,16 @@
         "pictures; false: only facts, by the channel info; nothing is drawn (default: true)")                          \
     ROW(visibility, "/visibility", ANY, BOOL,                                                                          \
         "pixels of each instance, drawn alone and visible, by the channels info and masks (default: false)")           \
-    ROW(views, "/views", ANY, PRESETS, "several views: names of presets with commas between them")                    \
+    ROW(views, "/views", ANY, PRESETS, "several views: names of presets with commas between them")                     \
     ROW(turntable, "/turntable/frames", ANY, WHOLE, "several views: their number, from around the scene")              \
-    ROW(turntableElevation, "/turntable/elevation", ANY, DEGREES,                                                     \
+    ROW(turntableElevation, "/turntable/elevation", ANY, DEGREES,                                                      \
         "angle of the camera above the horizon (default: the look's)")                                                 \
-    ROW(turntableSeconds, "/turntable/seconds", ANY, SECONDS, "time of one turn in an animation (default: 4)")        \
-    ROW(orbit, "/orbit/count", ANY, WHOLE, "several views: their number, from all directions")                        \
-    ROW(orbitDistance, "/orbit/distance", ANY, UNITS, "distance from the cameras to the middle (default: fitted)")      \
-    ROW(sheet, "/sheet/layout", ANY, NAME,                                                                            \
+    ROW(turntableSeconds, "/turntable/seconds", ANY, SECONDS, "time of one turn in an animation (default: 4)")         \
+    ROW(orbit, "/orbit/count", ANY, WHOLE, "several views: their number, from all directions")                         \
+    ROW(orbitDistance, "/orbit/distance", ANY, UNITS, "distance from the cameras to the middle (default: fitted)")     \
+    ROW(sheet, "/sheet/layout", ANY, NAME,                                                                             \
         "one picture of several views: threeView, balanced, or views with the parameter views")                        \
-    ROW(sheetColumns, "/sheet/columns", ANY, WHOLE, "views in a row of the sheet")                                    \
+    ROW(sheetColumns, "/sheet/columns", ANY, WHOLE, "views in a row of the sheet")                                     \
     ROW(width, "/window/width", ANY, SIDE, "width of the window (default: the scene's, of models 640)")                \
     ROW(height, "/window/height", ANY, SIDE, "height of the window (default: the scene's, of models 480)")             \
     ROW(look, "/look", MESH, NAME, "; NAME@VERSION pins a version (default: studio)")                                  \

@@ -108,9 +108,9 @@ static bool refuse_parameters(struct input *input, const struct options *options
         const bool has_key = strncmp(row->pointer, "/query/", strlen("/query/")) != 0;
         if (!row->of_mesh || !options->parameters[i]) continue;
         options_flag_of(row->name, strlen(row->name), flag);
-        bytes_print(is_batch ? &input->warnings : faults, "%s is for meshes, ending with" OPTIONS_MESHES "; %s%s%s%s", flag,
-                    has_key ? "a JSON scene has the key " : "leave it out for a JSON scene", has_key ? row->pointer : "",
-                    has_key ? " in the file instead" : "", is_batch ? "\n" : "");
+        bytes_print(is_batch ? &input->warnings : faults, "%s is for meshes, ending with" OPTIONS_MESHES "; %s%s%s%s",
+                    flag, has_key ? "a JSON scene has the key " : "leave it out for a JSON scene",
+                    has_key ? row->pointer : "", has_key ? " in the file instead" : "", is_batch ? "\n" : "");
         if (!is_batch) return true;
     }
     return false;

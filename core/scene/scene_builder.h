@@ -48,7 +48,7 @@ struct zr_scene_builder {
     bool *looked;                      /* set if the reader looks for other files of the request; or NULL */
     const char *asset_folder;          /* model file in a scene: folder of its name, with a final slash; or NULL */
     const struct zr_model_scene *file; /* nodes and materials of a bare mesh's own; or NULL */
-    const struct zr_scene *asked;      /* its window, views and sheet, if any, replace those of a scene's text; or NULL */
+    const struct zr_scene *asked;      /* its given window, views and sheet replace a scene's; or NULL */
 };
 
 /* Starts to build on *scene, which holds the defaults. */

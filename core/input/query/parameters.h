@@ -13,7 +13,7 @@
 struct zr_query {
     const struct zr_request *request;
     struct zr_parsed_scene given;   /* scene keys of the query; .scene: the builder's for a bare mesh, else `others` */
-    struct zr_scene others;         /* values of the query that override a JSON scene: window, outputs, views and others */
+    struct zr_scene others;         /* values of the query that override a JSON scene: window, outputs and others */
     int compress, projection, up;   /* ZR_UNSET: not given; up: enum zr_mesh_up */
     const char *member;             /* NULL: zr_zip_body_open takes it */
     const char *camera, *animation; /* name or number of one of the file; NULL: not given */

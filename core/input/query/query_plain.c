@@ -11,9 +11,7 @@
 /* Values that are the same as no parameter, for all files. */
 static const struct {
     const char *name, *value;
-} defaults[] = {{"compress", "\"fast\""},
-                {"strict", "false"},
-                {"fileLights", "false"}};
+} defaults[] = {{"compress", "\"fast\""}, {"strict", "false"}, {"fileLights", "false"}};
 
 size_t zr_query_plain_room(const struct zr_request *request)
 {

@@ -241,7 +241,8 @@ TEST(sides_in_the_query_override_the_window)
     static const struct {
         struct zr_request request;
         uint32_t width, height;
-    } cases[] = {{{0}, 9, 8}, {{.width = "4"}, 4, 8}, {{.height = "5"}, 9, 5}, {{.width = "640", .height = "480"}, 640, 480}};
+    } cases[] = {
+        {{0}, 9, 8}, {{.width = "4"}, 4, 8}, {{.height = "5"}, 9, 5}, {{.width = "640", .height = "480"}, 640, 480}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reading *reading = read_request(cases[i].request, scene, strlen(scene), zr_limits_default(), 1 << 20);
         assert_read(reading);
