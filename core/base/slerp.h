@@ -6,4 +6,7 @@
  * A zero quaternion stays zero. All machines give the same bits. */
 void zr_slerp(const float a[4], const float b[4], double share, float out[4]);
 
+/* The same in doubles. */
+void zr_slerp_exact(const double a[4], const double b[4], double share, double out[4]);
+
 #endif

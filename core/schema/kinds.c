@@ -7,10 +7,11 @@
 #include "input/mesh/parsed_mesh.h"
 #include "input/scene/json_scene.h"
 #include "input/text/color_text.h"
+#include "input/text/recenter.h"
 #include "scene/looks.h"
 
 /* The limit that replaces LIMIT in a text. */
-enum limit { NONE, COORDINATE, LENGTH, MATRIX, SIDE, VERTICES, VIEWS };
+enum limit { NONE, COORDINATE, PLACE, LENGTH, MATRIX, SIDE, VERTICES, VIEWS };
 
 /* clang-format off */
 static const struct {
@@ -39,6 +40,10 @@ static const struct {
         ],
         "items": false, "minItems": 3
     }), NONE},
+    {"place", ZR_SCHEMA({
+        "description": "[x, y, z] of a place, which may be far from the origin.", "type": "array",
+        "items": {"type": "number", "minimum": -LIMIT, "maximum": LIMIT}, "minItems": 3, "maxItems": 3
+    }), PLACE},
     {"vec4", ZR_SCHEMA({
         "type": "array",
         "prefixItems": [
@@ -354,7 +359,8 @@ static const struct {
                {zr_json_length, "length"},
                {zr_json_positive, "positive"},
                {zr_json_vec3, "vec3"},
-               {zr_json_place, "vec3"},
+               {zr_json_place, "place"},
+               {zr_json_place3, "place"},
                {zr_json_doubles3, "vec3"},
                {zr_json_vec4, "vec4"},
                {zr_json_position, "position"},
@@ -398,6 +404,8 @@ static double value_of(enum limit limit, const struct zr_limits *limits)
     switch (limit) {
     case COORDINATE:
         return coordinate;
+    case PLACE:
+        return zr_recenter_limit(limits);
     case LENGTH:
         return coordinate * ZR_JSON_LENGTHS_PER_COORDINATE;
     case MATRIX:

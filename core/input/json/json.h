@@ -42,6 +42,7 @@ struct zr_json {
     struct zr_error *error;
     struct zr_parsed_assets *assets; /* files/assets.h; NULL: the text is no scene and names no assets */
     const struct zr_far *far;        /* subtracted from places before they are rounded; NULL: nothing */
+    const double *move;              /* zr_far_move of the list that is read; NULL without `far` */
     struct zr_json_uris *uris;       /* json_uris.h; NULL: long data: URIs are not noted */
     unsigned depth;                  /* open lists and objects around `at` */
     bool ended;    /* reading has ended: the text is malformed or too deep, or the request is cancelled */

@@ -298,7 +298,7 @@ static bool move_rows(struct zr_json *json, const struct zr_json_array *array, z
     for (size_t i = 0; i < array->rows; i++) {
         const size_t at = i * array->columns;
         const double v[3] = {number_at(array, at), number_at(array, at + 1), number_at(array, at + 2)};
-        to[i] = zr_far_position(json->far, v, array->columns == 4 ? number_at(array, at + 3) : 1.0);
+        to[i] = zr_far_position(json->move, v, array->columns == 4 ? number_at(array, at + 3) : 1.0);
         if (i % PART_NUMBERS == 0) zr_json_look(json);
         if (zr_json_stops(json)) return false;
     }
@@ -315,7 +315,7 @@ bool zr_json_array_floats(struct zr_json *json, const struct zr_json_path *path,
     if (!r.to) return false;
     if (r.to == array->numbers.data) r.to = NULL;
     if (!read_parts(json, path, &r)) return false;
-    return !(json->far && array->wanted->is_place) || move_rows(json, array, r.to);
+    return !(json->move && array->wanted->is_place) || move_rows(json, array, r.to);
 }
 
 bool zr_json_array_indices(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_array *array,

@@ -66,7 +66,7 @@ void zr_rows_read_positions(struct zr_json *json, const struct zr_json_path *pat
     const double limit = (double)json->limits->coordinate_max;
     zr_vec4 *row;
     while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
-        const char *behind = json->far ? NULL : zr_numbers_position(json->at, json->end, limit, row);
+        const char *behind = json->move ? NULL : zr_numbers_position(json->at, json->end, limit, row);
         if (behind)
             json->at = behind;
         else

@@ -328,19 +328,28 @@ bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, void *o
     return true;
 }
 
-bool zr_json_doubles3(struct zr_json *json, const struct zr_json_path *path, void *out)
+static bool read_doubles3(struct zr_json *json, const struct zr_json_path *path, double limit, void *out)
 {
-    const double limit = (double)json->limits->coordinate_max;
     double v[3] = {0};
     if (!zr_json_numbers(json, path, (struct zr_json_row){3, 3, -limit, limit}, v, NULL)) return false;
     memcpy(out, v, sizeof v);
     return true;
 }
 
+bool zr_json_doubles3(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    return read_doubles3(json, path, (double)json->limits->coordinate_max, out);
+}
+
+bool zr_json_place3(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    return read_doubles3(json, path, zr_recenter_limit(json->limits), out);
+}
+
 bool zr_json_place(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     double v[3];
-    if (!zr_json_doubles3(json, path, v)) return false;
+    if (!zr_json_place3(json, path, v)) return false;
     *(zr_vec3 *)out = zr_far_place(json->far, v);
     return true;
 }
@@ -357,9 +366,9 @@ bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, voi
     const struct zr_json_row row = {3, 4, -limit, limit};
     double v[4] = {0};
     size_t count;
-    if (!json->far) return read_vec4(json, path, row, out);
+    if (!json->move) return read_vec4(json, path, row, out);
     if (!zr_json_numbers(json, path, row, v, &count)) return false;
-    *(zr_vec4 *)out = zr_far_position(json->far, v, count == 4 ? v[3] : 1.0);
+    *(zr_vec4 *)out = zr_far_position(json->move, v, count == 4 ? v[3] : 1.0);
     return true;
 }
 

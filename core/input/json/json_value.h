@@ -66,9 +66,10 @@ bool zr_json_choice_of(struct zr_json *json, const struct zr_json_path *path, co
 zr_json_read_fn zr_json_float2;   /* float[2], from field->low to field->high */
 zr_json_read_fn zr_json_vec3;     /* zr_vec3 */
 zr_json_read_fn zr_json_vec4;     /* zr_vec4 */
-zr_json_read_fn zr_json_position; /* zr_vec4: three coordinates with w = 1, or four; minus the move of json->far */
-zr_json_read_fn zr_json_place;    /* zr_vec3 in world space, minus the origin of json->far */
+zr_json_read_fn zr_json_position; /* zr_vec4: three coordinates with w = 1, or four; minus json->move */
 zr_json_read_fn zr_json_doubles3; /* double[3]: coordinates */
+zr_json_read_fn zr_json_place3;   /* double[3]: a place, within zr_recenter_limit, as in files */
+zr_json_read_fn zr_json_place;    /* zr_vec3: a place in world space, minus the origin of json->far */
 
 /* zr_vec4: [r,g,b] or [r,g,b,a], each 0..1, or a text for zr_color_of_text; the default of alpha is 1. */
 zr_json_read_fn zr_json_color;

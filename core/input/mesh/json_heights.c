@@ -156,7 +156,7 @@ static bool read_values(struct zr_json *json, const struct zr_json_path *path, v
     return heights->columns > 0;
 }
 
-/* float[2]: coordinates of the first and the last column or row. */
+/* double[2]: coordinates of the first and the last column or row. They are rounded to float, unless they are moved. */
 static bool read_range(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     const double limit = (double)json->limits->coordinate_max;
@@ -167,10 +167,11 @@ static bool read_range(struct zr_json *json, const struct zr_json_path *path, vo
         return zr_json_skip(json) &&
                zr_json_fault(json, path, "expected 2 numbers, the first and the last, found %zu", count);
     if (!zr_json_numbers(json, path, (struct zr_json_row){2, 2, -limit, limit}, ends, NULL)) return false;
-    const float first = (float)ends[0], last = (float)ends[1];
-    if (first == last)
-        return zr_json_fault(json, path, "%.9g to %.9g: the two ends must differ", (double)first, (double)last);
-    memcpy(out, (float[2]){first, last}, 2 * sizeof(float));
+    if ((float)ends[0] == (float)ends[1])
+        return zr_json_fault(json, path, "%.9g to %.9g: the two ends must differ", ends[0], ends[1]);
+    for (int i = 0; i < 2 && !json->move; i++)
+        ends[i] = zr_rounded(ends[i]);
+    memcpy(out, ends, sizeof ends);
     return true;
 }
 
@@ -196,38 +197,39 @@ bool zr_read_heights(struct zr_json *json, const struct zr_json_path *path, void
 
 struct grid {
     size_t rows, columns;
-    float x[2], y[2];
+    double x[2], y[2], move[3];
 };
 
 /* Sets the default range: steps of 1 from 0 on. */
 static bool find_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_heights *heights, int key,
-                       size_t count, float out[2])
+                       size_t count, double out[2])
 {
     const double last = (double)(count - 1), limit = (double)json->limits->coordinate_max;
     if (zr_json_gives(heights->keys, key)) return true;
-    out[0] = 0.0f;
-    out[1] = (float)last;
+    out[0] = 0.0;
+    out[1] = last;
     return last <= limit ||
            zr_json_fault(json, path, "%zu steps of 1 lead beyond %.9g; give %s", count - 1, limit, fields[key].key);
 }
 
-/* Returns the coordinate of column or row `index`; the first and the last are exact. */
-static float place(const float range[2], size_t index, size_t count)
+/* Returns the coordinate of column or row `index` minus the move; the first and the last are exact. */
+static float place(const double range[2], double move, size_t index, size_t count)
 {
     double last = (double)(count - 1), i = (double)index;
-    return (float)(((double)range[0] * (last - i) + (double)range[1] * i) / last);
+    return (float)((range[0] * (last - i) + range[1] * i) / last - move);
 }
 
 /* Computes the position of each value; holes have z = 0. */
 static void place_values(const struct grid *grid, const float *values, zr_vec4 *positions)
 {
     for (size_t column = 0; column < grid->columns; column++)
-        positions[column].x = place(grid->x, column, grid->columns);
+        positions[column].x = place(grid->x, grid->move[0], column, grid->columns);
     for (size_t row = 0; row < grid->rows; row++) {
-        const float *z = values + row * grid->columns, y = place(grid->y, row, grid->rows);
+        const float *z = values + row * grid->columns, y = place(grid->y, grid->move[1], row, grid->rows);
         zr_vec4 *position = positions + row * grid->columns;
         for (size_t column = 0; column < grid->columns; column++)
-            position[column] = (zr_vec4){positions[column].x, y, isnan(z[column]) ? 0.0f : z[column], 1.0f};
+            position[column] = (zr_vec4){positions[column].x, y,
+                                         isnan(z[column]) ? 0.0f : (float)((double)z[column] - grid->move[2]), 1.0f};
     }
 }
 
@@ -258,13 +260,13 @@ static bool make_cells(struct zr_arena *arena, const struct grid *grid, struct z
 /* Maps an image over the grid: its left edge to column 0, its top edge to the last row. */
 static bool make_texcoords(struct zr_arena *arena, const struct grid *grid, struct zr_mesh *mesh)
 {
-    static const float across[2] = {0, 1}, down[2] = {1, 0};
+    static const double across[2] = {0, 1}, down[2] = {1, 0};
     zr_vec4 *texcoords = zr_arena_alloc(arena, grid->rows * grid->columns, sizeof *texcoords);
     if (!texcoords) return false;
     for (size_t row = 0; row < grid->rows; row++)
         for (size_t column = 0; column < grid->columns; column++)
             texcoords[row * grid->columns + column] =
-                (zr_vec4){place(across, column, grid->columns), place(down, row, grid->rows), 0.0f, 0.0f};
+                (zr_vec4){place(across, 0.0, column, grid->columns), place(down, 0.0, row, grid->rows), 0.0f, 0.0f};
     mesh->texcoords = texcoords;
     return true;
 }
@@ -275,6 +277,7 @@ bool zr_heights_make(struct zr_json *json, const struct zr_json_path *path, cons
     struct grid grid = {.rows = heights->rows, .columns = heights->columns};
     memcpy(grid.x, heights->x, sizeof grid.x);
     memcpy(grid.y, heights->y, sizeof grid.y);
+    if (json->move) memcpy(grid.move, json->move, sizeof grid.move);
     if (grid.columns == 0) return false;
     const bool has_x = find_range(json, path, heights, X, grid.columns, grid.x);
     if (!find_range(json, path, heights, Y, grid.rows, grid.y) || !has_x || json->error->count > 0) return false;

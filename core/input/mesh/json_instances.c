@@ -9,7 +9,7 @@ static const double *moved_by(const struct zr_parsed_scene *root, uint32_t mesh)
 {
     const struct zr_parsed_mesh *given = root->meshes.items;
     if (mesh < root->meshes.count && given[mesh].model) return zr_model_origin(given[mesh].model);
-    return root->json.far->move;
+    return zr_far_move(root->json.far, mesh);
 }
 
 /* Makes matrices of a far scene again, in doubles: they add what was subtracted from the positions, and subtract the

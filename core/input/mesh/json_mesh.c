@@ -154,6 +154,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, void 
                                        .scalars = ZR_SCALARS_UNSET};
         const struct zr_json_path *at = ZR_JSON_ITEM(path, list->count);
         const size_t faults = json->error->count;
+        if (json->far) json->move = zr_far_move(json->far, list->count);
         if (zr_json_fields(json, at, &zr_json_object_mesh, &given, &given.keys) && has_file(&given) &&
             check_file(json, at, &given) && json->error->count == faults)
             given.model = zr_model_read(out, at, &given.file);
@@ -248,16 +249,6 @@ static void make_texcoords(struct zr_json *json, const struct zr_json_path *path
     mesh->texcoords = texcoords;
 }
 
-/* Heights are floats in the text. */
-static void move_heights(const struct zr_far *far, struct zr_mesh *mesh)
-{
-    zr_vec4 *positions = (zr_vec4 *)mesh->positions;
-    for (uint32_t i = 0; i < mesh->position_count; i++) {
-        const double v[3] = {(double)positions[i].x, (double)positions[i].y, (double)positions[i].z};
-        positions[i] = zr_far_position(far, v, 1.0);
-    }
-}
-
 static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                       struct zr_mesh *meshes)
 {
@@ -269,6 +260,7 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
                              .number = (uint32_t)path->index};
     *mesh = (struct zr_mesh){.name = given->name ? given->name : ""};
     if (has_file(given) && !given->model) return; /* refused before */
+    json->move = json->far ? zr_far_move(json->far, path->index) : NULL;
     if (given->material)
         style.material = zr_parsed_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
     if (given->model) {
@@ -280,7 +272,6 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
     if (gives(given, HEIGHTS)) {
         const bool textured = zr_parsed_has_textures(root, style.material) && !gives(given, TEXCOORDS);
         if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, textured, mesh)) return;
-        if (json->far) move_heights(json->far, mesh);
     } else {
         if (!given->positions.items) return; /* the other checks need the count of positions */
         mesh->position_count = (uint32_t)given->positions.count;
@@ -294,7 +285,7 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
     mesh->normal_count = mesh->normals ? mesh->position_count : 0;
     mesh->colors = per_position(json, path, given, COLORS, &given->colors, mesh->position_count, "positions");
     mesh->face_colors = per_position(json, path, given, FACE_COLORS, &given->face_colors, mesh->face_count, "faces");
-    if (json->far) mesh->move = json->far->move;
+    mesh->move = json->move;
     zr_scalars_apply(json, path, &given->scalars, gives(given, HEIGHTS) ? given->heights.values.items : NULL,
                      &root->builder->color_warnings, mesh);
     make_texcoords(json, path, given, mesh);

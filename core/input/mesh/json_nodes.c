@@ -127,7 +127,7 @@ static const struct zr_json_field fields[] = {
               .schema = ZR_SCHEMA({"anyOf" : [ {"$ref" : "#/$defs/index"}, {"type" : "string"} ]})},
     [MATRIX] = {"matrix", read_matrix, AT(matrix), .otherwise = "the identity",
                 .text = "transformation to the parent's space", .schema = ZR_SCHEMA_OF("affine")},
-    [TRANSLATION] = {"translation", zr_json_doubles3, AT(translation), .unit = "scene units", .otherwise = "[0, 0, 0]",
+    [TRANSLATION] = {"translation", zr_json_place3, AT(translation), .unit = "scene units", .otherwise = "[0, 0, 0]",
                      .text = "translation, after scale and rotation"},
     [ROTATION] = {"rotation", read_rotation, AT(rotation), .otherwise = "[0, 0, 0, 1]",
                   .text = "rotation as a quaternion x, y, z, w, after scale", .schema = ZR_SCHEMA_OF("quaternion")},
@@ -182,6 +182,15 @@ static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path,
     return zr_mat4_of_pose(rounded(given->translation), q, rounded(given->scale));
 }
 
+static struct own_pose own_pose_of(const struct given_node *given, bool is_exact, uint64_t keys)
+{
+    struct own_pose own = {.pose.is_exact = is_exact, .is_matrix = zr_json_gives(keys, MATRIX)};
+    memcpy(own.pose.translation, given->translation, sizeof given->translation);
+    memcpy(own.pose.scale, given->scale, sizeof given->scale);
+    memcpy(own.pose.rotation, given->rotation, sizeof given->rotation);
+    return own;
+}
+
 static void read_node(struct reader *reader, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
 {
     struct zr_node *node = &reader->made[number];
@@ -196,9 +205,7 @@ static void read_node(struct reader *reader, struct zr_json *json, const struct 
         read_reference(&there, ZR_JSON_KEY(path, fields[MESH].key), &reader->meshes, &node->mesh);
     }
     node->local = find_local(json, path, &given, keys);
-    if (reader->own)
-        reader->own[number] = (struct own_pose){
-            {rounded(given.translation), rounded(given.scale), rounded_rotation(&given)}, zr_json_gives(keys, MATRIX)};
+    if (reader->own) reader->own[number] = own_pose_of(&given, reader->exact != NULL, keys);
     if (reader->exact)
         reader->exact[number] = zr_json_gives(keys, MATRIX)
                                     ? given.matrix.exact
@@ -272,6 +279,17 @@ static const struct zr_animation *animation_of(const struct zr_parsed_scene *roo
     return keeping && keeping->animation ? keeping->animation : set ? set->animation : NULL;
 }
 
+static void move_node(struct reader *reader, uint32_t number, const struct zr_track *track,
+                      const struct zr_moment *moment)
+{
+    zr_mat4 *local = &reader->made[number].local;
+    const struct zr_matrix before = reader->exact ? reader->exact[number] : zr_matrix_of(local),
+                           after = zr_track_matrix(track, moment, &reader->own[number].pose, &before);
+    for (int i = 0; i < 16; i++)
+        local->m[i] = (float)after.m[i];
+    if (reader->exact) reader->exact[number] = after;
+}
+
 /* Checks the nodes that an animation names. Moves them if the scene is that of a frame. */
 static void animate(struct reader *reader, const struct zr_keeping *keeping, const struct zr_animation *animation)
 {
@@ -281,18 +299,11 @@ static void animate(struct reader *reader, const struct zr_keeping *keeping, con
         const struct zr_json_path *at = ZR_JSON_KEY(path, track->node);
         uint32_t number;
         if (!find_name(reader->json, at, &reader->nodes, track->node, &number)) continue;
-        const struct own_pose *own = &reader->own[number];
-        struct zr_node *node = &reader->made[number];
-        if (track->key_count > 0 && own->is_matrix)
+        if (track->key_count > 0 && reader->own[number].is_matrix)
             zr_json_fault(reader->json, at, "node %" PRIu32 " has a matrix; translation, rotation and scale can move",
                           number);
         else if (keeping && keeping->animation)
-            node->local = zr_track_matrix(track, &keeping->moment, &own->pose, &node->local);
-        if (!keeping || !keeping->animation || !reader->exact) continue;
-        struct zr_matrix exact = zr_matrix_of(&node->local);
-        for (int axis = 0; !track->translations && axis < 3; axis++)
-            exact.m[12 + axis] = reader->exact[number].m[12 + axis];
-        reader->exact[number] = exact;
+            move_node(reader, number, track, &keeping->moment);
     }
 }
 

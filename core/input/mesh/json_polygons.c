@@ -5,6 +5,7 @@
 #include "input/mesh/parsed_mesh.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "input/text/recenter.h"
 
 /* A polygon while it is read. */
 struct polygon {
@@ -228,6 +229,7 @@ bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, voi
     struct zr_parsed_scene *root = out;
     root->soup = soup;
     json->assets->use |= ZR_USED_BY_GEOMETRY;
+    if (json->far) json->move = zr_far_move(json->far, json->far->mesh_count);
     const bool good = zr_json_list_read(json, path, &list, soup);
     json->assets->use = ZR_USED;
     root->polygons_end = json->at;

@@ -246,7 +246,7 @@ void zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_
     *mesh = (struct zr_mesh){.name = "polygons",
                              .position_count = (uint32_t)vertices,
                              .positions = soup->positions.items,
-                             .move = json->far ? json->far->move : NULL,
+                             .move = json->far ? zr_far_move(json->far, json->far->mesh_count) : NULL,
                              .face_count = (uint32_t)faces,
                              .face_offsets = soup->offsets.items,
                              .face_rings = soup->rings.items,

@@ -17,8 +17,8 @@ struct zr_heights {
     struct zr_growing values; /* floats, row by row; NaN is a hole */
     size_t rows, columns;     /* columns: of the first row; 0 after a reported fault */
     bool has_holes;
-    uint64_t keys;    /* bit i: key i is given */
-    float x[2], y[2]; /* coordinates of the first and the last column and row, if given */
+    uint64_t keys;     /* bit i: key i is given */
+    double x[2], y[2]; /* coordinates of the first and the last column and row, if given */
 };
 
 /* struct zr_heights: a list of rows, or an object that has one. */

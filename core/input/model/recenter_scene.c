@@ -82,18 +82,6 @@ static bool find_boxes(const struct zr_cancel *cancel, const struct zr_recenter_
     return true;
 }
 
-static void include_corners(struct zr_box *all, const struct zr_box *box, const struct zr_matrix *matrix)
-{
-    if (box->low[0] > box->high[0]) return;
-    for (unsigned corner = 0; corner < 8; corner++) {
-        const double v[4] = {corner & 1 ? box->high[0] : box->low[0], corner & 2 ? box->high[1] : box->low[1],
-                             corner & 4 ? box->high[2] : box->low[2], 1};
-        double out[4];
-        zr_matrix_apply(matrix, v, out);
-        zr_box_include(all, out);
-    }
-}
-
 /* True if the middle is beyond the limit, and the size is not too large to move it; or if the scene is remote. */
 static bool has_far_middle(const struct zr_box *box, double limit)
 {
@@ -134,7 +122,7 @@ enum zr_status zr_recenter_instances(const struct zr_run *run, const struct zr_l
     if (!find_boxes(run->cancel, scene, boxes)) return ZR_CANCELLED;
     for (uint32_t i = 0; i < scene->count; i++) {
         if (i % AT_ONCE == 0 && zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
-        include_corners(&all, &boxes[scene->instances[i].mesh], &scene->exact[i]);
+        zr_box_include_placed(&all, &boxes[scene->instances[i].mesh], &scene->exact[i]);
     }
     if (!is_moved(scene) && !has_far_middle(&all, (double)limits->coordinate_max)) return ZR_OK;
     const enum zr_status status = zr_recenter_origin(run->arena, &all, limits, origin, run->error);

@@ -1,7 +1,11 @@
 #include "input/root/json_far.h"
 
+#include <string.h>
+
+#include "base/matrix.h"
 #include "base/vec.h"
 #include "input/mesh/parsed_mesh.h"
+#include "input/scene/kept.h"
 
 /* Positions or instances between two checks for cancellation. */
 enum { AT_ONCE = 1 << 14 };
@@ -18,11 +22,16 @@ static bool is_remote(const struct zr_box *box)
     return box->low[0] <= box->high[0] && zr_box_is_remote(box, ZR_FAR_SIZES);
 }
 
+static double middle_of(const struct zr_box *box, int axis)
+{
+    return zr_rounded(box->low[axis] / 2.0 + box->high[axis] / 2.0);
+}
+
 /* Sets `out` to the middle of a remote box, rounded to floats; else to zeros. */
 static void find_middle(const struct zr_box *box, double out[3])
 {
     for (int axis = 0; axis < 3; axis++)
-        out[axis] = is_remote(box) ? zr_rounded(box->low[axis] / 2.0 + box->high[axis] / 2.0) : 0.0;
+        out[axis] = is_remote(box) ? middle_of(box, axis) : 0.0;
 }
 
 static bool is_list(const struct zr_parsed_scene *root, uint32_t mesh)
@@ -31,19 +40,35 @@ static bool is_list(const struct zr_parsed_scene *root, uint32_t mesh)
     return mesh >= root->meshes.count || !given[mesh].model;
 }
 
-/* Finds the bounds of the positions in lists: their meshes come first. */
-static struct zr_box lists_of(const struct zr_parsed_scene *root)
+static struct zr_box box_of(const struct zr_parsed_scene *root, const struct zr_mesh *mesh)
 {
-    const uint32_t end = (uint32_t)root->meshes.count + zr_parsed_has_polygons(root);
     struct zr_box box = zr_box_empty();
-    for (uint32_t i = 0; i < end && i < root->scene->mesh_count; i++) {
-        const struct zr_mesh *mesh = &root->scene->meshes[i];
-        for (uint32_t k = 0; is_list(root, i) && k < mesh->position_count; k++) {
-            if (k % AT_ONCE == 0 && zr_is_cancelled(root->json.cancel)) return box;
-            include(&box, mesh->positions[k]);
-        }
+    for (uint32_t k = 0; k < mesh->position_count; k++) {
+        if (k % AT_ONCE == 0 && zr_is_cancelled(root->json.cancel)) return box;
+        include(&box, mesh->positions[k]);
     }
     return box;
+}
+
+/* Returns how many meshes may be lists: they come first. */
+static uint32_t lists_of(const struct zr_parsed_scene *root)
+{
+    const uint32_t most = (uint32_t)root->meshes.count + zr_parsed_has_polygons(root);
+    return most < root->scene->mesh_count ? most : root->scene->mesh_count;
+}
+
+/* Sets the moves of lists. Returns true if they are remote together, and so have one. */
+static bool find_moves(const struct zr_parsed_scene *root, struct zr_box *boxes, double (*moves)[3])
+{
+    struct zr_box all = zr_box_empty();
+    for (uint32_t i = 0; i < lists_of(root); i++) {
+        boxes[i] = is_list(root, i) ? box_of(root, &root->scene->meshes[i]) : zr_box_empty();
+        zr_box_join(&all, &boxes[i]);
+    }
+    const bool is_together = is_remote(&all);
+    for (uint32_t i = 0; i <= root->meshes.count; i++)
+        find_middle(is_together || i >= lists_of(root) ? &all : &boxes[i], moves[i]);
+    return is_together;
 }
 
 /* Finds the bounds of the placed positions, or of three positions per instance. */
@@ -78,22 +103,176 @@ static bool may_be_far(const struct zr_parsed_scene *root)
     return box.low[0] <= box.high[0] && zr_box_is_remote(&box, ZR_FAR_SIZES / 2.0);
 }
 
-/* True if the first list with faces is remote by its first positions. */
+/* True if a list of several positions is remote. */
 static bool has_far_list(const struct zr_parsed_scene *root)
 {
     const struct zr_scene *scene = root->scene;
-    for (uint32_t i = 0; i < scene->mesh_count; i++)
-        if (is_list(root, i) && scene->meshes[i].position_count > 1)
-            return zr_recenter_is_remote(scene->meshes[i].positions, scene->meshes[i].position_count);
+    for (uint32_t i = 0; i < lists_of(root); i++) {
+        if (i % AT_ONCE == 0 && zr_is_cancelled(root->json.cancel)) return false;
+        if (is_list(root, i) && scene->meshes[i].position_count > 1 &&
+            zr_recenter_is_remote(scene->meshes[i].positions, scene->meshes[i].position_count))
+            return true;
+    }
     return false;
+}
+
+/* ---- parts that are far from one another ---- */
+
+/* Parts of a scene that was read. */
+struct parts {
+    const struct zr_parsed_scene *root;
+    struct zr_box *boxes; /* per mesh, in object space; `found` tells which are known */
+    bool *found;
+};
+
+static bool open_parts(const struct zr_parsed_scene *root, struct parts *parts)
+{
+    const uint32_t meshes = root->scene->mesh_count;
+    *parts = (struct parts){root, zr_arena_alloc(root->json.arena, meshes, sizeof *parts->boxes),
+                            zr_arena_zero(root->json.arena, meshes, sizeof *parts->found)};
+    return parts->boxes && parts->found;
+}
+
+/* Adds the origin that the scene was read with. */
+static struct zr_box in_scene(const struct parts *parts, struct zr_box box)
+{
+    const struct zr_far *far = parts->root->json.far;
+    for (int axis = 0; far && axis < 3; axis++) {
+        box.low[axis] += far->origin[axis];
+        box.high[axis] += far->origin[axis];
+    }
+    return box;
+}
+
+/* Returns the bounds of an instance, or of three of its positions. */
+static struct zr_box sample_of(const struct parts *parts, const struct zr_instance *instance)
+{
+    const struct zr_mesh *mesh = &parts->root->scene->meshes[instance->mesh];
+    const uint32_t step = mesh->position_count > 2 ? (mesh->position_count - 1) / 2 : 1;
+    struct zr_box box = zr_box_empty();
+    for (uint32_t k = 0; k < mesh->position_count; k += step)
+        include(&box, zr_mat4_apply(&instance->object_to_world, mesh->positions[k]));
+    return in_scene(parts, box);
+}
+
+static struct zr_box bounds_of(const struct parts *parts, const struct zr_instance *instance)
+{
+    const struct zr_matrix matrix = zr_matrix_of(&instance->object_to_world);
+    const uint32_t mesh = instance->mesh;
+    struct zr_box box = zr_box_empty();
+    if (!parts->found[mesh]) parts->boxes[mesh] = box_of(parts->root, &parts->root->scene->meshes[mesh]);
+    parts->found[mesh] = true;
+    zr_box_include_placed(&box, &parts->boxes[mesh], &matrix);
+    return in_scene(parts, box);
+}
+
+/* True if the instance is remote; *box: its bounds. A single position has no size, and is not. */
+static bool is_far_part(const struct parts *parts, const struct zr_instance *instance, struct zr_box *box)
+{
+    *box = sample_of(parts, instance);
+    if (!(box->low[0] <= box->high[0] && zr_box_is_remote(box, ZR_FAR_SIZES / 2.0))) return false;
+    *box = bounds_of(parts, instance);
+    return is_remote(box);
+}
+
+static bool is_fitted(const struct zr_scene *scene, const struct zr_instance *instance)
+{
+    const uint32_t owner = scene->mesh_owners ? scene->mesh_owners[instance->mesh] : instance->mesh;
+    return owner == scene->views[0].fit_mesh;
+}
+
+/* Finds the places that the camera is at or looks at. False if it shows all parts. */
+static bool find_camera(const struct parts *parts, struct zr_box places[2])
+{
+    const struct zr_scene *scene = parts->root->scene;
+    const struct zr_view *view = &scene->views[0];
+    const bool looks_at = view->pose == ZR_POSE_LOOK_AT, has_target = looks_at || view->has_target;
+    zr_mat4 inverse = zr_mat4_identity();
+    places[0] = places[1] = zr_box_empty();
+    if (view->pose == ZR_POSE_MATRIX && zr_mat4_invert(&view->world_to_camera, &inverse))
+        include(&places[0], (zr_vec4){inverse.m[12], inverse.m[13], inverse.m[14], 1.0f});
+    if (looks_at) include(&places[0], (zr_vec4){view->eye.x, view->eye.y, view->eye.z, 1.0f});
+    if (has_target) include(&places[1], (zr_vec4){view->target.x, view->target.y, view->target.z, 1.0f});
+    for (int i = 0; i < 2; i++)
+        places[i] = in_scene(parts, places[i]);
+    for (uint32_t i = 0; !looks_at && view->fit_to_mesh && i < scene->instance_count; i++)
+        if (is_fitted(scene, &scene->instances[i])) places[0] = bounds_of(parts, &scene->instances[i]);
+    return places[0].low[0] <= places[0].high[0] || has_target;
+}
+
+/* Returns the size of the part together with the nearer place of the camera; HUGE_VAL if they are not remote. */
+static double size_with(const struct zr_box *part, const struct zr_box places[2])
+{
+    double least = HUGE_VAL;
+    for (int i = 0; i < 2; i++) {
+        struct zr_box both = *part;
+        double size = 0.0;
+        zr_box_join(&both, &places[i]);
+        for (int axis = 0; axis < 3; axis++)
+            size = fmax(size, both.high[axis] - both.low[axis]);
+        if (places[i].low[0] <= places[i].high[0] && is_remote(&both)) least = fmin(least, size);
+    }
+    return least;
+}
+
+bool zr_far_follow(const struct zr_parsed_scene *root, struct zr_far *far)
+{
+    const struct zr_scene *scene = root->scene;
+    const double before[3] = {far->origin[0], far->origin[1], far->origin[2]};
+    double least = HUGE_VAL;
+    struct parts parts;
+    struct zr_box places[2], box;
+    if (!open_parts(root, &parts)) return false;
+    const bool has_camera = find_camera(&parts, places);
+    memset(far->origin, 0, sizeof far->origin);
+    far->follows_camera = false;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        if (i % AT_ONCE == 0 && zr_is_cancelled(root->json.cancel)) break;
+        if (!is_far_part(&parts, &scene->instances[i], &box)) continue;
+        const double size = has_camera ? size_with(&box, places) : HUGE_VAL;
+        far->follows_camera = true;
+        if (size < least) find_middle(&box, far->origin);
+        least = fmin(least, size);
+    }
+    return memcmp(before, far->origin, sizeof before) != 0;
+}
+
+/* True if a list is moved whose instance is not far. */
+static bool undoes_move(const struct zr_parsed_scene *root, const struct zr_far *far)
+{
+    const struct zr_scene *scene = root->scene;
+    struct parts parts;
+    struct zr_box box;
+    if (!open_parts(root, &parts)) return false;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_instance *instance = &scene->instances[i];
+        if (i % AT_ONCE == 0 && zr_is_cancelled(root->json.cancel)) return false;
+        if (instance->mesh < lists_of(root) && zr_far_moves(zr_far_move(far, instance->mesh)) &&
+            !is_far_part(&parts, instance, &box))
+            return true;
+    }
+    return false;
+}
+
+/* True if views with other cameras may follow. */
+static bool may_change_camera(const struct zr_parsed_scene *root)
+{
+    const struct zr_keeping *keeping = root->builder->keeping;
+    return keeping && keeping->into && (!keeping->if_views || root->scene->view_set);
 }
 
 bool zr_far_find(const struct zr_parsed_scene *root, struct zr_far *far)
 {
     const bool is_far = may_be_far(root), has_list = is_far || has_far_list(root);
-    const struct zr_box none = zr_box_empty(), lists = has_list ? lists_of(root) : none,
-                        placed = is_far ? placed_of(root, false) : none;
-    find_middle(&lists, far->move);
+    const size_t lists = root->meshes.count + 1;
+    double(*moves)[3] = zr_arena_zero(root->json.arena, lists, sizeof *moves);
+    struct zr_box *boxes = zr_arena_alloc(root->json.arena, lists, sizeof *boxes);
+    if (!moves || !boxes) return false;
+    *far = (struct zr_far){.mesh_count = (uint32_t)root->meshes.count, .moves = (const double(*)[3])moves};
+    const bool is_together = has_list && find_moves(root, boxes, moves);
+    const struct zr_box placed = is_far ? placed_of(root, false) : zr_box_empty();
     find_middle(&placed, far->origin);
-    return has_far_model(root) || zr_far_moves(far->move) || zr_far_moves(far->origin);
+    if (!zr_far_moves(far->origin)) zr_far_follow(root, far);
+    return is_together || zr_far_moves(far->origin) || has_far_model(root) ||
+           (far->follows_camera && may_change_camera(root)) || (has_list && undoes_move(root, far));
 }

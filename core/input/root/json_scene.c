@@ -120,21 +120,37 @@ static void read_text(struct zr_parsed_scene *root, const struct zr_request *req
     root->scene->adds_origin = true;
 }
 
-/* Reads a scene that is far from the origin again, from the beginning: `fresh` and the others are copies of what was
- * there before the first reading. */
-static void read_far(struct zr_parsed_scene *root, const struct zr_request *request,
-                     const struct zr_parsed_scene *fresh, const struct zr_scene *scene,
-                     const struct zr_scene_builder *builder)
+/* State before the first reading. */
+struct start {
+    struct zr_parsed_scene root;
+    struct zr_scene scene;
+    struct zr_scene_builder builder;
+};
+
+static void read_again(struct zr_parsed_scene *root, const struct zr_request *request, const struct start *start,
+                       const struct zr_far *far)
 {
-    struct zr_arena *arena = root->json.arena;
-    struct zr_far *far = zr_arena_alloc(arena, 1, sizeof *far);
-    if (!far || !zr_arena_ok(arena) || root->json.error->count > 0 || !zr_far_find(root, far)) return;
-    *root = *fresh;
-    *root->scene = *scene;
-    *root->builder = *builder;
-    root->picture = zr_arena_zero(arena, 1, sizeof *root->picture);
+    const struct zr_keeping *keeping = root->builder->keeping;
+    *root = start->root;
+    *root->scene = start->scene;
+    *root->builder = start->builder;
+    root->picture = zr_arena_zero(root->json.arena, 1, sizeof *root->picture);
+    if (!root->picture || (keeping && keeping->from && !zr_kept_load(keeping->from, root))) return;
     root->json.far = far;
-    if (root->picture) read_text(root, request);
+    read_text(root, request);
+}
+
+/* Reads a scene that is far from the origin again, and a changed one whose camera is at another far part. */
+static void read_far(struct zr_parsed_scene *root, const struct zr_request *request, const struct start *start)
+{
+    const struct zr_keeping *keeping = root->builder->keeping;
+    const struct zr_far *kept = root->json.far;
+    struct zr_far *far = zr_arena_alloc(root->json.arena, 1, sizeof *far);
+    if (!far || !zr_arena_ok(root->json.arena) || root->json.error->count > 0) return;
+    if (kept) *far = *kept;
+    const bool is_changed = keeping && keeping->from;
+    if (kept ? kept->follows_camera && zr_far_follow(root, far) : !is_changed && zr_far_find(root, far))
+        read_again(root, request, start, far);
 }
 
 enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_request *request,
@@ -161,11 +177,9 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
     zr_json_open(json, request->bytes, request->size);
     if (!root.assets.uses || !root.picture) return zr_json_close(json);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
+    const struct start start = {root, *scene, *builder};
     if (keeping && keeping->from && !zr_kept_load(keeping->from, &root)) return ZR_NO_MEMORY;
-    const struct zr_parsed_scene fresh = root;
-    const struct zr_scene before = *scene;
-    const struct zr_scene_builder opened = *builder;
     read_text(&root, request);
-    if (!json->far && !(keeping && keeping->from)) read_far(&root, request, &fresh, &before, &opened);
+    read_far(&root, request, &start);
     return zr_json_close(json);
 }

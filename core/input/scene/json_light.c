@@ -108,7 +108,7 @@ static const struct zr_json_field fields[] = {
                    .schema = ZR_SCHEMA({"type" : "number"})},
     [FRAME] = {"frame", zr_json_choice, AT(frame), .words = &frame_names, .otherwise = "world",
                .text = "space of directions and positions; camera: the light moves with the camera"},
-    [POSITION] = {"position", zr_json_doubles3, AT(position), .unit = "scene units", .text = "point, spot: position",
+    [POSITION] = {"position", zr_json_place3, AT(position), .unit = "scene units", .text = "point, spot: position",
                   .of = OF_POINT | OF_SPOT, .required_of = OF_POINT | OF_SPOT},
     [RANGE] = {"range", zr_json_positive, AT(range), .unit = "scene units", .otherwise = "none",
                .text = "point, spot: distance at which the light has faded to 0", .of = OF_POINT | OF_SPOT},

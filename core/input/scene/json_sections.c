@@ -40,7 +40,7 @@ static const struct zr_json_field plane_fields[] = {
                 .unit = "scene units", .text = "place of the plane on the axis"},
     [FRACTION] = {"fraction", zr_json_number, AT(fraction), 0, 1, .otherwise = "0.5, without an offset",
                   .text = "place on the axis, as a share of the bounds of the scene"},
-    [POINT] = {"point", zr_json_doubles3, AT(point), .unit = "scene units", .otherwise = "[0,0,0]",
+    [POINT] = {"point", zr_json_place3, AT(point), .unit = "scene units", .otherwise = "[0,0,0]",
                .text = "point of the plane"},
     [NORMAL] = {"normal", read_normal, AT(normal), .text = "direction across the plane, of any length",
                 .schema = ZR_SCHEMA_OF("direction")},

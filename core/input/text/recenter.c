@@ -12,6 +12,18 @@ bool zr_box_is_remote(const struct zr_box *box, double sizes)
     return size > 0.0 && middle > sizes * size;
 }
 
+void zr_box_include_placed(struct zr_box *all, const struct zr_box *box, const struct zr_matrix *matrix)
+{
+    if (box->low[0] > box->high[0]) return;
+    for (unsigned corner = 0; corner < 8; corner++) {
+        const double v[4] = {corner & 1 ? box->high[0] : box->low[0], corner & 2 ? box->high[1] : box->low[1],
+                             corner & 4 ? box->high[2] : box->low[2], 1};
+        double out[4];
+        zr_matrix_apply(matrix, v, out);
+        zr_box_include(all, out);
+    }
+}
+
 bool zr_recenter_is_remote(const zr_vec4 *positions, size_t count)
 {
     enum { AT_ONCE = 64 };

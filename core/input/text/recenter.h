@@ -18,6 +18,7 @@
 #include <stdbool.h>
 
 #include "base/arena.h"
+#include "base/matrix.h"
 #include "base/run.h"
 #include "base/status.h"
 #include "base/vec.h"
@@ -66,12 +67,23 @@ static inline zr_vec4 zr_recenter_position(const double v[3], const double *orig
     return (zr_vec4){(float)(v[0] - origin[0]), (float)(v[1] - origin[1]), (float)(v[2] - origin[2]), 1};
 }
 
+/* Adds the corners of `box`, placed by the matrix, to `all`. */
+void zr_box_include_placed(struct zr_box *all, const struct zr_box *box, const struct zr_matrix *matrix);
+
 /* What is subtracted from the numbers of a scene in JSON that is far from the origin. Such a scene is read twice: the
- * first time to find these numbers, which are floats. */
+ * first time to find these numbers, which are floats. (0, 0, 0) subtracts nothing. */
 struct zr_far {
-    double move[3];   /* from positions of lists, which nodes may place; (0, 0, 0): nothing */
-    double origin[3]; /* from places in world space: the scene's new origin; (0, 0, 0): nothing */
+    uint32_t mesh_count;
+    const double (*moves)[3]; /* from positions, which nodes may place: per mesh of the list, then of the polygons */
+    double origin[3];         /* from places in world space: the scene's new origin */
+    bool follows_camera;      /* parts are far from one another: the origin is that of the part next to the camera */
 };
+
+/* Returns what is subtracted from positions of a mesh; beyond the list: of the polygons. */
+static inline const double *zr_far_move(const struct zr_far *far, size_t mesh)
+{
+    return far->moves[mesh < far->mesh_count ? mesh : far->mesh_count];
+}
 
 /* True if the numbers are not (0, 0, 0). */
 static inline bool zr_far_moves(const double by[3])
@@ -80,10 +92,9 @@ static inline bool zr_far_moves(const double by[3])
 }
 
 /* Returns a homogeneous position minus the move. */
-static inline zr_vec4 zr_far_position(const struct zr_far *far, const double v[3], double w)
+static inline zr_vec4 zr_far_position(const double move[3], const double v[3], double w)
 {
-    return (zr_vec4){(float)(v[0] - far->move[0] * w), (float)(v[1] - far->move[1] * w),
-                     (float)(v[2] - far->move[2] * w), (float)w};
+    return (zr_vec4){(float)(v[0] - move[0] * w), (float)(v[1] - move[1] * w), (float)(v[2] - move[2] * w), (float)w};
 }
 
 /* Returns a place in world space minus the origin of `far`, which may be NULL. */

@@ -5,6 +5,7 @@
 #include "input/json/json_list.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "input/text/recenter.h"
 #include "input/text/text.h"
 #include "scene/camera/view_set.h"
 #include "scene/parts/animation.h"
@@ -20,42 +21,45 @@ struct given_track {
     int interpolation;
 };
 
-/* Reads rows of `width` numbers into a list of floats. */
-static bool read_rows(struct zr_json *json, const struct zr_json_path *path, size_t width, struct zr_growing *list)
+/* Reads rows of `width` numbers into a list of doubles. */
+static bool read_rows(struct zr_json *json, const struct zr_json_path *path, size_t width, double limit,
+                      struct zr_growing *list)
 {
-    const double limit = (double)json->limits->coordinate_max;
-    double v[4] = {0};
     const struct zr_json_row bounds = {width, width, -limit, limit};
     size_t number = 0;
     bool is_good = true;
-    *list = (struct zr_growing){.size = width * sizeof(float)};
+    *list = (struct zr_growing){.size = width * sizeof(double)};
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); number++) {
         const struct zr_json_path *at = ZR_JSON_ITEM(path, number);
-        float *row = zr_growing_next(list, json);
+        double *row = zr_growing_next(list, json);
         if (!row) return false;
-        if (!zr_json_numbers(json, at, bounds, v, NULL)) {
+        if (!zr_json_numbers(json, at, bounds, row, NULL)) {
             is_good = false;
             continue;
         }
-        for (size_t k = 0; k < width; k++)
-            row[k] = (float)v[k];
-        if (width == 4 && row[0] == 0.0f && row[1] == 0.0f && row[2] == 0.0f && row[3] == 0.0f)
+        if (width == 4 && (float)row[0] == 0.0f && (float)row[1] == 0.0f && (float)row[2] == 0.0f &&
+            (float)row[3] == 0.0f)
             is_good = zr_json_fault(json, at, "the quaternion has the length 0; 0 0 0 1 is no rotation");
         list->count++;
     }
     return is_good;
 }
 
-/* struct zr_growing of three or four floats a key. */
+/* struct zr_growing of three or four doubles per key. */
+static bool read_places(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    return read_rows(json, path, 3, zr_recenter_limit(json->limits), out);
+}
+
 static bool read_vectors(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    return read_rows(json, path, 3, out);
+    return read_rows(json, path, 3, (double)json->limits->coordinate_max, out);
 }
 
 static bool read_quaternions(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    return read_rows(json, path, 4, out);
+    return read_rows(json, path, 4, (double)json->limits->coordinate_max, out);
 }
 
 /* struct zr_growing of doubles, ascending. */
@@ -130,9 +134,9 @@ static const struct zr_json_field track_fields[] = {
     [TIMES] = {"times", read_times, AT(times), .unit = "seconds", .text = "times of the keys, ascending",
                .schema = ZR_SCHEMA(
                    {"type" : "array", "items" : {"type" : "number", "minimum" : 0, "maximum" : 3600}, "minItems" : 1})},
-    [TRANSLATION] = {"translation", read_vectors, AT(translations), .unit = "scene units",
-                     .otherwise = "the node's own", .text = "one vector per key",
-                     .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/vec3"}})},
+    [TRANSLATION] = {"translation", read_places, AT(translations), .unit = "scene units", .otherwise = "the node's own",
+                     .text = "one vector per key",
+                     .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/place"}})},
     [ROTATION] = {"rotation", read_quaternions, AT(rotations), .otherwise = "the node's own",
                   .text = "one quaternion x, y, z, w per key",
                   .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/quaternion"}})},
@@ -152,7 +156,7 @@ const struct zr_json_object zr_json_object_track = {ZR_JSON_FIELDS("track", trac
 
 /* Takes a list of keys. False if their number is not that of the times. */
 static bool take_keys(struct zr_json *json, const struct zr_json_path *path, const struct zr_growing *list,
-                      size_t times, const float **out)
+                      size_t times, const double **out)
 {
     *out = list->items;
     return list->count == times ||

@@ -125,7 +125,7 @@ const struct zr_json_field zr_view_fields[] = {
                                  .text = "inverse of the pose as a matrix", .schema = ZR_SCHEMA_OF("affine")},
     [ZR_VIEW_R] = {"R", read_rows, AT(r), 0, ROTATION_MAX, .text = "OpenCV's rotation from the world to the camera",
                    .schema = ZR_SCHEMA_OF("rotation")},
-    [ZR_VIEW_T] = {"t", zr_json_doubles3, AT(t), .otherwise = "[0, 0, 0]", .text = "OpenCV's translation, used with R"},
+    [ZR_VIEW_T] = {"t", zr_json_place3, AT(t), .otherwise = "[0, 0, 0]", .text = "OpenCV's translation, used with R"},
     [ZR_VIEW_CONVENTION] = {"convention", zr_json_choice, AT(convention), .words = &convention_names,
                             .otherwise = "opengl; with R opencv",
                             .text = "axes of the camera; opencv: y down, z forward"},

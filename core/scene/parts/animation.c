@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "base/matrix.h"
 #include "base/slerp.h"
 #include "base/trig.h"
 
@@ -30,33 +29,32 @@ static struct place find_place(const struct zr_track *track, double seconds)
     return (struct place){low, (seconds - start) / (track->times[high] - start)};
 }
 
-static zr_vec3 vector_at(const float *keys, const struct place *place, zr_vec3 own)
+/* Interpolates `size` numbers. NULL keys: the node's own. */
+static void values_at(const double *keys, int size, const struct place *place, bool is_exact, double *own)
 {
-    float v[3];
-    if (!keys) return own;
-    const float *from = keys + 3 * (size_t)place->key;
-    for (int k = 0; k < 3; k++)
-        v[k] = place->share > 0.0 ? (float)((1.0 - place->share) * (double)from[k] + place->share * (double)from[3 + k])
-                                  : from[k];
-    return (zr_vec3){v[0], v[1], v[2]};
+    double from[4], to[4];
+    for (int k = 0; k < size && keys; k++) {
+        const double *at = keys + (size_t)size * place->key + k, *next = place->share > 0.0 ? at + size : at;
+        from[k] = is_exact ? *at : zr_rounded(*at);
+        to[k] = is_exact ? *next : zr_rounded(*next);
+        own[k] = place->share > 0.0 ? (1.0 - place->share) * from[k] + place->share * to[k] : from[k];
+    }
+    if (size == 4 && keys && place->share > 0.0) zr_slerp_exact(from, to, place->share, own);
+    for (int k = 0; k < size && !is_exact; k++)
+        own[k] = zr_rounded(own[k]);
 }
 
-static zr_vec4 rotation_at(const float *keys, const struct place *place, zr_vec4 own)
-{
-    float v[4];
-    if (!keys) return own;
-    const float *from = keys + 4 * (size_t)place->key;
-    if (!(place->share > 0.0)) return (zr_vec4){from[0], from[1], from[2], from[3]};
-    zr_slerp(from, from + 4, place->share, v);
-    return (zr_vec4){v[0], v[1], v[2], v[3]};
-}
-
-static zr_mat4 keyed(const struct zr_track *track, double seconds, const struct zr_node_pose *own)
+static struct zr_matrix keyed(const struct zr_track *track, double seconds, const struct zr_node_pose *own)
 {
     const struct place place = find_place(track, seconds);
-    return zr_mat4_of_pose(vector_at(track->translations, &place, own->translation),
-                           rotation_at(track->rotations, &place, own->rotation),
-                           vector_at(track->scales, &place, own->scale));
+    struct zr_node_pose pose = *own;
+    values_at(track->translations, 3, &place, own->is_exact, pose.translation);
+    values_at(track->rotations, 4, &place, own->is_exact, pose.rotation);
+    values_at(track->scales, 3, &place, own->is_exact, pose.scale);
+    struct zr_matrix matrix = zr_matrix_of_pose(pose.translation, pose.rotation, pose.scale);
+    for (int i = 0; i < 16 && !own->is_exact; i++)
+        matrix.m[i] = zr_rounded(matrix.m[i]);
+    return matrix;
 }
 
 /* ---- turns ---- */
@@ -76,15 +74,12 @@ static struct zr_matrix turn_of(zr_vec3 axis, double degrees)
                                d * z * z + c, 0.0, 0.0, 0.0, 0.0, 1.0}};
 }
 
-zr_mat4 zr_track_matrix(const struct zr_track *track, const struct zr_moment *moment, const struct zr_node_pose *own,
-                        const zr_mat4 *local)
+struct zr_matrix zr_track_matrix(const struct zr_track *track, const struct zr_moment *moment,
+                                 const struct zr_node_pose *own, const struct zr_matrix *local)
 {
-    zr_mat4 matrix = track->key_count > 0 ? keyed(track, moment->seconds, own) : *local;
+    const struct zr_matrix matrix = track->key_count > 0 ? keyed(track, moment->seconds, own) : *local;
     const double degrees = track->degrees * moment->share;
     if (degrees == 0.0) return matrix;
-    const struct zr_matrix before = zr_matrix_of(&matrix), turn = turn_of(track->axis, degrees),
-                           product = zr_matrix_mul(&before, &turn);
-    for (int i = 0; i < 16; i++)
-        matrix.m[i] = (float)product.m[i];
-    return matrix;
+    const struct zr_matrix turn = turn_of(track->axis, degrees);
+    return zr_matrix_mul(&matrix, &turn);
 }

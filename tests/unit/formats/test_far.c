@@ -85,16 +85,52 @@ static void write_binary_ply(const double by[3])
     }
 }
 
-static void write_3mf(const double by[3])
+static void write_off(const double by[3])
+{
+    put_text("OFF\n4 4 0\n");
+    for (int i = 0; i < 4; i++)
+        put_corner("%.17g %.17g %.17g\n", i, by);
+    for (int i = 0; i < 4; i++)
+        put_face("3 %d %d %d\n", i, 0);
+}
+
+static void write_xyz(const double by[3])
+{
+    for (int i = 0; i < 4; i++)
+        put_corner("%.17g %.17g %.17g\n", i, by);
+}
+
+static void write_pcd(const double by[3])
+{
+    put_text("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 4\nHEIGHT 1\n"
+             "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 4\nDATA ascii\n");
+    write_xyz(by);
+}
+
+/* `place`: of the mesh; `by`: of the item of the build. */
+static void put_3mf(const double place[3], const double by[3])
 {
     put_text("<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources><object id=\"1\">"
              "<mesh><vertices>");
     for (int i = 0; i < 4; i++)
-        put_corner("<vertex x=\"%.17g\" y=\"%.17g\" z=\"%.17g\"/>", i, by);
+        put_corner("<vertex x=\"%.17g\" y=\"%.17g\" z=\"%.17g\"/>", i, place);
     put_text("</vertices><triangles>");
     for (int i = 0; i < 4; i++)
         put_face("<triangle v1=\"%d\" v2=\"%d\" v3=\"%d\"/>", i, 0);
-    put_text("</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>");
+    put_text("</triangles></mesh></object></resources><build><item objectid=\"1\" transform=\"");
+    size +=
+        (size_t)snprintf(text + size, sizeof text - size, "1 0 0 0 1 0 0 0 1 %.17g %.17g %.17g", by[0], by[1], by[2]);
+    put_text("\"/></build></model>");
+}
+
+static void write_3mf(const double by[3])
+{
+    put_3mf(by, (const double[3]){0, 0, 0});
+}
+
+static void write_3mf_item(const double by[3])
+{
+    put_3mf((const double[3]){0, 0, 0}, by);
 }
 
 static void put_json(const char *nodes, const double by[3])
@@ -128,18 +164,29 @@ static void write_far_node(const double by[3])
 }
 
 /* The node is far, and has the digits. */
-static void write_gltf(const double by[3])
+static void put_gltf(const char *form, const double by[3])
 {
-    put_text("{\"asset\": {\"version\": \"2.0\"}, \"scenes\": [{\"nodes\": [0]}], \"nodes\": [{\"mesh\": 0, "
-             "\"translation\": [");
-    size += (size_t)snprintf(text + size, sizeof text - size, "%.17g, %.17g, %.17g", corners[0][0] + by[0],
-                             corners[0][1] + by[1], corners[0][2] + by[2]);
+    put_text("{\"asset\": {\"version\": \"2.0\"}, \"scenes\": [{\"nodes\": [0]}], \"nodes\": [{");
+    put_corner(form, 0, by);
     put_text("]}], \"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}], \"accessors\": "
              "[{\"bufferView\": 0, "
              "\"componentType\": 5126, \"count\": 3, \"type\": \"VEC3\", \"min\": [0, 0, 0], \"max\": [1, 1, 0]}], "
              "\"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}], \"buffers\": [{\"byteLength\": 36, \"uri\": "
              "\"data:;base64,"
              "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}");
+}
+
+static void write_gltf(const double by[3])
+{
+    put_gltf("\"mesh\": 0, \"translation\": [%.17g, %.17g, %.17g", by);
+}
+
+/* A matrix below a node that turns it back, as exporters turn z up. */
+static void write_gltf_matrix(const double by[3])
+{
+    put_gltf("\"children\": [1], \"rotation\": [-0.70710678118654757, 0, 0, 0.70710678118654757]}, {\"mesh\": 0, "
+             "\"matrix\": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, %.17g, %.17g, %.17g, 1",
+             by);
 }
 
 static const struct {
@@ -150,8 +197,13 @@ static const struct {
                {"STL", ZR_FORMAT_STL, write_stl},
                {"PLY", ZR_FORMAT_PLY, write_ply},
                {"binary PLY", ZR_FORMAT_PLY, write_binary_ply},
+               {"OFF", ZR_FORMAT_OFF, write_off},
+               {"PCD", ZR_FORMAT_PCD, write_pcd},
+               {"XYZ", ZR_FORMAT_XYZ, write_xyz},
                {"3MF", ZR_FORMAT_3MF, write_3mf},
+               {"3MF with an item", ZR_FORMAT_3MF, write_3mf_item},
                {"glTF", ZR_FORMAT_GLTF, write_gltf},
+               {"glTF with a matrix", ZR_FORMAT_GLTF, write_gltf_matrix},
                {"JSON", ZR_FORMAT_JSON, write_json},
                {"JSON with a node", ZR_FORMAT_JSON, write_node},
                {"JSON with a far node", ZR_FORMAT_JSON, write_far_node}};
@@ -264,7 +316,7 @@ TEST(random_far_meshes_are_those_of_doubles)
         by[i % 3] = (i & 1 ? -1.0 : 1.0) * fmax(6e3 * fmax(unit, 1.0), random_within(0, 8e5));
         struct reading *reading = read_at(f, by);
         if (!reading->scene->origin) fail_msg("%s, mesh %ld: no origin", formats[f].name, i);
-        for (int k = 0; k < 3 && formats[f].write != write_gltf; k++) {
+        for (int k = 0; k < 3 && formats[f].format != ZR_FORMAT_GLTF; k++) {
             const double scale = formats[f].write == write_far_node ? 0.5 : 1.0;
             const int turn = formats[f].write == write_node;          /* x, y, z becomes z, x, y */
             const bool is_json = formats[f].format == ZR_FORMAT_JSON; /* others may be turned upright */
@@ -320,6 +372,88 @@ TEST(places_of_a_far_scene_are_moved_in_doubles)
     assert_true(fabs((double)reading->scene->views[0].world_to_camera.m[12] - (o[0] - 500000.0123)) < 1e-7);
     reading_free(reading);
 #undef FAR_SCENE
+}
+
+#define NEAR_LIST "{\"positions\": [[0,0,0],[1,0,0],[0,1,0]], \"faces\": [[0,1,2]]}"
+#define FAR_LIST  "{\"positions\": [[500000.1,0.2,0],[500001.1,0.2,0],[500000.1,1.2,0]], \"faces\": [[0,1,2]]}"
+
+/* Checks the sides of the last instance, which are 1, and the origin of the scene. */
+static void assert_digits(const char *scene_text, double origin)
+{
+    struct reading *reading = read_text(ZR_FORMAT_JSON, scene_text);
+    assert_read(reading);
+    const struct zr_scene *scene = reading->scene;
+    const struct zr_instance *last = &scene->instances[scene->instance_count - 1];
+    const zr_vec4 *p = scene->meshes[last->mesh].positions, a = zr_mat4_apply(&last->object_to_world, p[0]),
+                  b = zr_mat4_apply(&last->object_to_world, p[1]);
+    const double found = scene->origin ? scene->origin[0] : 0.0;
+    if (fabs(found - origin) > 1.0) fail_msg("%s: origin %.9g, not %.9g", scene_text, found, origin);
+    if (fabsf(b.x - a.x - 1.0f) > 1e-6f) fail_msg("%s: %.9g, not 1", scene_text, (double)(b.x - a.x));
+    reading_free(reading);
+}
+
+/* Each list has its own middle, and the scene's origin is that of the part at the camera. */
+TEST(a_far_list_beside_a_near_one_keeps_its_digits)
+{
+    static const char *const views[] = {"{\"eye\": [500000.5, 0.5, 4], \"target\": [500000.5, 0.5, 0]}",
+                                        "{\"eye\": [499000, 0.5, 4], \"target\": [500000.5, 0.5, 0]}",
+                                        "{\"cameraToWorld\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 500000.5,0.5,4,1]}",
+                                        "{\"azimuthDegrees\": 10, \"target\": [500000.5, 0.5, 0], \"distance\": 4}",
+                                        "{\"preset\": \"front\", \"fit\": {\"mesh\": \"far\"}}"};
+    char scene[1024];
+    for (size_t i = 0; i < sizeof views / sizeof *views; i++) {
+        snprintf(scene, sizeof scene, "{\"meshes\": [" NEAR_LIST ", {\"name\": \"far\", %s], \"view\": %s}",
+                 &FAR_LIST[1], views[i]);
+        assert_digits(scene, 500000.5);
+        snprintf(scene, sizeof scene,
+                 "{\"meshes\": [" NEAR_LIST ", {\"name\": \"far\", %s], \"nodes\": [{\"mesh\": 0}, {\"mesh\": 1, "
+                 "\"translation\": [500000.1, 0, 0]}], \"view\": %s}",
+                 &NEAR_LIST[1], views[i]);
+        assert_digits(scene, 500000.5);
+    }
+    assert_digits("{\"meshes\": [" FAR_LIST "," NEAR_LIST "], \"view\": {\"eye\": [0, 0, 4]}}", 0.0);
+    assert_digits("{\"meshes\": [" NEAR_LIST "," FAR_LIST
+                  "], \"nodes\": [{\"mesh\": 0}, {\"mesh\": 1, \"translation\": "
+                  "[-500000.1, 0, 0]}]}",
+                  0.0);
+}
+
+/* Columns are computed in doubles. */
+TEST(grids_of_heights_far_from_the_origin_keep_their_steps)
+{
+    struct reading *reading =
+        read_text(ZR_FORMAT_JSON, "{\"meshes\": [{\"heights\": {\"values\": [[0,1,0],[1,2,1]], "
+                                  "\"x\": [500000.1, 500000.3], \"y\": [-300000.3, -300000.2]}}]}");
+    assert_read(reading);
+    const zr_vec4 *p = reading->scene->meshes[0].positions;
+    assert_true(fabsf(p[1].x - p[0].x - 0.1f) < 1e-6f);
+    assert_true(fabsf(p[3].y - p[0].y - 0.1f) < 1e-6f);
+    reading_free(reading);
+}
+
+/* Cameras may be as far from the origin as files. */
+TEST(an_eye_may_be_at_a_map_coordinate)
+{
+    static const char obj[] = "v 500000 5400000 0\nv 500001 5400000 0\nv 500001 5400001 0\nf 1 2 3\n";
+    const struct zr_request request = {
+        .format = ZR_FORMAT_OBJ, .eye = "500000.71,5400000.4,4", .target = "500000.51,5400000.4,0"};
+    struct reading *reading = read_request(request, obj, strlen(obj), zr_limits_default(), 1 << 20);
+    assert_read(reading);
+    const zr_vec3 eye = reading->scene->views[0].eye;
+    assert_true(fabsf(eye.x - 0.21f) < 1e-6f && fabsf(eye.y + 0.1f) < 1e-6f && eye.z == 4.0f);
+    reading_free(reading);
+    reading = read_text(
+        ZR_FORMAT_JSON,
+        "{\"meshes\": [{\"uri\": \"data:model/obj;base64,diA1MDAwMDAgNTQwMDAwMCAwCnYgNTAwMDAxIDU0MDAwMDAgMAp2IDUwMDAw"
+        "MSA1NDAwMDAxIDAKZiAxIDIgMwo=\"}], \"view\": {\"eye\": [500000.71, 5400000.4, 4], \"target\": [500000.51, "
+        "5400000.4, "
+        "0]}, \"lights\": [{\"type\": \"point\", \"position\": [500000.25, 5400000.5, 9]}]}");
+    assert_read(reading);
+    const double *o = reading->scene->origin;
+    assert_non_null(o);
+    assert_true(fabs((double)reading->scene->views[0].eye.y + o[1] - 5400000.4) < 1e-6);
+    assert_true(fabs((double)reading->scene->lights[0].position.x + o[0] - 500000.25) < 1e-6);
+    reading_free(reading);
 }
 
 /* The rule is relative: a small mesh is remote at a distance at which a large one is not. */
