@@ -351,7 +351,9 @@ static void count_trace(const struct zr_cost_sample *sample, double *counts)
             pixels * fmin(meeting_pairs(sample) * fmax(faces / 6.0, 1.0), ZR_TRACE_STEPS_MAX);
 }
 
-/* Counts pairs of triangles in cells, of which long ones are in many: all of them, and those that cut one another, which share most of their cells. */
+/* Counts pairs of triangles in cells, of which long ones are in many: all of them, and those that cut one another, which
+ * share most of their cells. The boxes of narrow triangles have longer sides than those of others of their area; such
+ * triangles lie beside others along all their cells. */
 static void count_line_pairs(const struct zr_cost_sample *sample, double times, double *counts)
 {
     const double faces = sample->faces * sample->scale, window = sample->width * sample->height;
@@ -360,7 +362,9 @@ static void count_line_pairs(const struct zr_cost_sample *sample, double times, 
     const double pixels = sample->fragments / fmax(sample->faces, 1.0);
     const double spread = (sample->boxes_width + sample->boxes_height) / fmax(sample->faces, 1.0) / sqrt(per_cell);
     const double of_face = fmin(1.0 + pixels / per_cell + spread, cells);
+    const double narrow = fmax(spread - 4.0 * sqrt(pixels / per_cell), 0.0);
     counts[ZR_COST_DRAWN_PAIR] = times * square(faces * of_face) / cells;
+    counts[ZR_COST_DRAWN_NARROW] = times * faces * narrow;
     counts[ZR_COST_DRAWN_CROSSING] = times * crossing_pairs(sample) * square(1.0 + sqrt(pixels / per_cell));
 }
 

@@ -170,6 +170,28 @@ TEST(triangles_of_one_cell_are_counted_in_pairs)
     assert_true(count(ZR_COST_DRAWN_PAIR) == 0);
 }
 
+/* Upright needles through half of the window, in the cells of half of the fine window's rows. */
+TEST(narrow_triangles_are_counted_along_their_cells)
+{
+    enum { COUNT = 50 };
+    zr_vec4 needles[3 * COUNT];
+    for (int i = 0; i < COUNT; i++) {
+        const float x = -0.9f + 0.03f * (float)i;
+        needles[3 * i] = (zr_vec4){x, -0.5f, 0, 1};
+        needles[3 * i + 1] = (zr_vec4){x + 0.001f, -0.5f, 0, 1};
+        needles[3 * i + 2] = (zr_vec4){x, 0.5f, 0, 1};
+    }
+    half_a_window();
+    test.picture.is_linear = true;
+    test.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
+    assert_near(count(ZR_COST_DRAWN_NARROW), 0);
+    scene_of_triangles(&test, WIDTH, HEIGHT, needles, COUNT);
+    test.picture = (struct zr_picture){.side = 1, .line_width = 1, .is_linear = true, .exposure = 1};
+    test.picture.edges = (struct zr_edges){.is_on = true, .is_from_mesh = true};
+    const double cells = COUNT * 0.5 * HEIGHT * sqrt(FINE_PIXELS / PIXELS) / 16, counted = count(ZR_COST_DRAWN_NARROW);
+    if (!(counted > 0.5 * cells && counted < cells)) fail_msg("%g counted, of %g", counted, cells);
+}
+
 TEST(a_file_of_lines_is_counted_without_samples)
 {
     static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_SVG},
