@@ -33,6 +33,8 @@ verdict "and it is a PNG" is_png "part one.png"
 verdict "of the usual size" [ "$(size_of_png 'part one.png')" = 640x480 ]
 check "size, preset and shading are passed on" 0 "$client" render "part one.stl" --size 320x200 --preset top --shading gouraud -o small.png
 verdict "and the picture has that size" [ "$(size_of_png small.png)" = 320x200 ]
+check "size is that of a scene, too" 0 "$client" render scene.json --size 32x20 -o sized.png
+verdict "and replaces its window" [ "$(size_of_png sized.png)" = 32x20 ]
 check "--compress is passed on" 0 "$client" render "part one.stl" --size 320x200 --preset top --shading gouraud --compress small -o smaller.png
 verdict "and gives fewer bytes" [ "$(wc -c <smaller.png)" -lt "$(wc -c <small.png)" ]
 check "depth comes as an array" 0 "$client" render scene.json --channel depth

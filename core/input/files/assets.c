@@ -14,13 +14,15 @@ const char *zr_stored_name(const char *asset)
     return strspn(sha256, "0123456789abcdef") == DIGITS && sha256[DIGITS] == '\0' ? sha256 : NULL;
 }
 
-static bool is_parameter(const char *name)
+/* True for a field of a form that has the name of a parameter, and a value as short as one. */
+static bool is_parameter(const struct zr_asset *asset)
 {
+    enum { VALUE_MAX = 64 };
 #define NAME(name, ...) #name,
     static const char *const names[] = {ZR_PARAMETER_ROWS(NAME)};
 #undef NAME
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(name, names[i]) == 0) return true;
+        if (strcmp(asset->name, names[i]) == 0) return asset->size <= VALUE_MAX;
     return false;
 }
 
@@ -29,7 +31,7 @@ void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_a
     if (asset->packed || asset->is_optional) return; /* zr_zip_body_warn */
     zr_warning_list_add(builder->arena, &builder->warnings, "the asset %s is not used by the scene%s",
                         zr_quote(asset->name, strlen(asset->name)).text,
-                        is_parameter(asset->name) ? "; parameters go into the query of the address" : "");
+                        is_parameter(asset) ? "; parameters go into the query of the address" : "");
 }
 
 struct zr_parsed_assets zr_parsed_assets_of(const struct zr_scene_builder *builder, const struct zr_request *request)
