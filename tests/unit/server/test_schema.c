@@ -215,7 +215,8 @@ TEST(parameters_have_types_bounds_and_defaults)
 {
     assert_string_equal(cJSON_GetStringValue(at(parameter("width"), "type")), "integer");
     assert_float_equal(at(parameter("width"), "maximum")->valuedouble, 8192, 0);
-    assert_float_equal(at(parameter("width"), "default")->valuedouble, 640, 0);
+    assert_null(at(parameter("width"), "default")); /* a scene has its own */
+    assert_float_equal(at(parameter("turntableSeconds"), "default")->valuedouble, 4, 0);
     assert_float_equal(at(parameter("elevation"), "minimum")->valuedouble, -90, 0);
     assert_string_equal(cJSON_GetStringValue(at(parameter("look"), "default")), "studio");
     assert_true(cJSON_IsFalse(at(parameter("strict"), "default")));
