@@ -44,7 +44,7 @@
     ROW(DRAWN_TRIANGLE, 1000.0, "triangles whose lines are found")                                                     \
     ROW(DRAWN_PIXEL, 4.0, "fine pixels of faces in which lines are found, hidden ones too")                            \
     ROW(DRAWN_PAIR, 0.35, "pairs of triangles within 16 x 16 fine pixels, for lines of the mesh")                      \
-    ROW(DRAWN_NARROW, 2000.0, "cells of 16 x 16 fine pixels along narrow triangles, for lines of the mesh")            \
+    ROW(DRAWN_NARROW, 3000.0, "cells of 16 x 16 fine pixels along narrow triangles, for lines of the mesh")            \
     ROW(FRAME_OBJECT, 500.0, "objects of the file that frames read again")                                             \
     ROW(CUT_PIXEL, 8.0, "pixels that the painter compares for faces that cut one another")                             \
     ROW(DRAWN_CROSSING, 50.0,                                                                                          \
@@ -54,7 +54,7 @@
     ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \
     ROW(LINEAR_LEVEL_TEXEL, 7.0, "texels of textures' levels in linear light")                                         \
     ROW(FACT, 900.0, "triangles of parts that info measures")                                                          \
-    ROW(INFO, 600e3, "scenes whose overlaps info measures")                                                            \
+    ROW(INFO, 700e3, "scenes whose overlaps info measures")                                                            \
     ROW(PART, 60e3, "parts that info lists")                                                                           \
     ROW(SECTION_CORNER, 60.0, "corners of faces times planes of sections")                                             \
     ROW(CAP_TILE, 6.0, "corners of caps times tiles of the window")                                                    \

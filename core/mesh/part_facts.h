@@ -26,7 +26,7 @@
 enum { ZR_FACES_PER_TASK = 4096 };
 
 /* Steps of the search for least walls (mesh/least_wall.h): for all parts together, and for each of their triangles. */
-enum { ZR_WALL_STEPS_MIN = 1 << 17, ZR_WALL_STEPS = 256 };
+enum { ZR_WALL_STEPS_MIN = 1 << 17, ZR_WALL_STEPS = 192 };
 
 /* Work of a grid of rays (mesh/overlap.h): shared by all parts, but at least so much for each, and more for each of its
  * triangles. */
