@@ -10,9 +10,10 @@
  * Tilt:   a tenth of a degree is less than the draft of moulded walls, from a quarter of a degree on, which are
  *         wedges. It is more than rounding to float turns facets longer than 1e-4 of their coordinates.
  * Lines:  the overlap is probed along up to 1 + 3 * 6 lines. A pair that is no wall on any of them, because something
- *         lies between, is passed over.
+ *         lies between, is passed over. If the first line is none, the triangles that the others may cross are listed
+ *         once, unless they are many: half to a fifth of the steps of parts with ribs.
  * Best:   gains below 1e-6 of the wall plus a tenth of a step are not sought.
- * Work:   counted in steps: visits of boxes and tests of triangles, some 20 ns each. If the caller's steps do not
+ * Work:   counted in steps: visits of boxes and tests of triangles, some 15 ns each. If the caller's steps do not
  *         suffice, such as for thousands of turned faces at the same place, or a line crosses a wall more than
  *         ZR_WALL_CROSSINGS times, there is no result.
  * Exact:  one thread, in a fixed order, without libm but for sqrt.
