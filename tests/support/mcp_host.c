@@ -20,7 +20,8 @@ bool mcp_test_is_json(const char *bytes, size_t size, char first)
     static const struct zr_limits limits = {.json_depth_max = ZR_JSON_DEPTH_MAX};
     struct zr_error *error = calloc(1, sizeof *error);
     struct zr_arena arena;
-    struct zr_json json = {.arena = &arena, .limits = &limits, .error = error};
+    bool has_nul; /* the id of an answer, which is the request's, may have one; a scene may not */
+    struct zr_json json = {.arena = &arena, .limits = &limits, .error = error, .has_nul = first ? NULL : &has_nul};
     zr_arena_init(&arena, 0);
     zr_json_open(&json, bytes, size);
     zr_json_type(&json);
