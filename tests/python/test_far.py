@@ -69,6 +69,9 @@ class Far(unittest.TestCase):
             return {"eye": [by[0] + 0.5, by[1] + 0.5, by[2] + 3], "target": [by[0] + 0.5, by[1] + 0.5, by[2]],
                     "znear": 1, "zfar": 9}
 
+        def chosen(by):
+            return {key: value for key, value in view(by).items() if key in ("eye", "target")}
+
         def mesh(by):
             return {"positions": moved(by), "faces": [[0, 1, 2]], "colors": COLORS, "doubleSided": True}
         size, zero = {"window": {"width": 32, "height": 32}}, (0, 0, 0)
@@ -78,6 +81,8 @@ class Far(unittest.TestCase):
             far = zraster.render(dict(size, view=view(FAR), **scene), ["color", {"channel": "position", "space": "world"}])
             self.assertTrue((far["color"] == near).all())
             self.assertLess(abs(far["position"][16, 12] - FAR).max(), 1.1)
+            far = zraster.render(dict(size, view=chosen(FAR), **scene), ["color"])       # its planes are chosen
+            self.assertTrue((far["color"] == near).all())
             views = [{"name": "near", "view": view(zero)}, {"name": "far", "view": view(FAR)}]
             pictures = zraster.render(dict(size, views=views, **scene), ["color"])
             for name in ("near.color", "far.color"):

@@ -234,6 +234,7 @@ bool zr_far_follow(const struct zr_parsed_scene *root, struct zr_far *far)
         if (size < least) find_middle(&box, far->origin);
         least = fmin(least, size);
     }
+    far->size = least;
     return memcmp(before, far->origin, sizeof before) != 0;
 }
 

@@ -107,6 +107,9 @@ static bool read_keys(struct zr_parsed_scene *root)
     return zr_json_fields(json, NULL, &zr_json_object_scene, root, &root->keys);
 }
 
+/* A near plane that is chosen is at least so many sizes of the far part from the camera there. */
+#define NEAR_SIZES 1e-3
+
 /* Reads the text and makes the scene. */
 static void read_text(struct zr_parsed_scene *root, const struct zr_request *request)
 {
@@ -118,6 +121,7 @@ static void read_text(struct zr_parsed_scene *root, const struct zr_request *req
     if (!json->far || !zr_far_moves(json->far->origin)) return;
     root->scene->origin = json->far->origin;
     root->scene->adds_origin = true;
+    if (json->far->follows_camera) root->scene->views[0].near_most = (float)(json->far->size * NEAR_SIZES);
 }
 
 /* State before the first reading. */
