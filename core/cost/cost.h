@@ -53,7 +53,7 @@
     ROW(MAP_FRAGMENT, 0.24, "texels of faces in shadow maps")                                                          \
     ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \
     ROW(LINEAR_LEVEL_TEXEL, 7.0, "texels of textures' levels in linear light")                                         \
-    ROW(FACT, 900.0, "triangles of parts that info measures")                                                          \
+    ROW(FACT, 800.0, "triangles of parts that info measures")                                                          \
     ROW(INFO, 700e3, "scenes whose overlaps info measures")                                                            \
     ROW(PART, 60e3, "parts that info lists")                                                                           \
     ROW(SECTION_CORNER, 60.0, "corners of faces times planes of sections")                                             \

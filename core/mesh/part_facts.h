@@ -8,7 +8,7 @@
  *         another is measured along rays and taken off (mesh/overlap.h).
  * Wall:   by mesh/least_wall.h. The parts share ZR_WALL_STEPS_MIN steps, and ZR_WALL_STEPS for each of their triangles.
  * Work:   limits keep it within ten times of what core/cost predicts by the number of parts and triangles
- *         (make bench-costs-hostile). Walls of usual parts take up to 220 steps for each triangle, and share ZR_WALL_STEPS_MIN.
+ *         (make bench-costs-hostile). Walls of usual parts take up to 220 steps for each triangle.
  * Lost:   a face with a corner beyond the range of float has no area. A part with such a face is not closed.
  * Exact:  each task of ZR_FACES_PER_TASK faces has separate sums, which are added in order. The results are therefore the
  *         same for all numbers of threads and instruction sets.
