@@ -221,10 +221,10 @@ test: ## installs what tests need and runs every test
 	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make times server clients python reference models
 
 .PHONY: test-more
-test-more: ## what make test leaves to CI: mutants, which the comparison with Mesa must find, and pictures of the gallery, the manual and the bench
+test-more: ## what make test leaves to CI: examples of the manual, mutants that the comparison with Mesa must find, pictures of gallery, manual and bench
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) pictures mutants
+	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) docs pictures mutants
 
 .PHONY: browser
 browser: ## animated PNG and WebP in Chromium, which is installed: screenshots equal the frames; build/browser

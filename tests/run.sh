@@ -147,9 +147,6 @@ for part in "$@"; do
         fi
         ;;
     clients)
-        # The longest ones begin first.
-        run docs-1 HALF=1 tests/clients/test_docs.sh "$build"
-        run docs-2 HALF=2 tests/clients/test_docs.sh "$build"
         run client "ZRASTERD=$build/zrasterd" "ZRASTER=$build/zraster" tests/clients/test_client.sh
         run command tests/clients/test_command.sh "$build"
         run same-bytes tests/clients/test_same_bytes.sh "$build"
@@ -172,7 +169,7 @@ for part in "$@"; do
         run browser "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/browser/test_browser.py
         ;;
     reference)
-        triangles=${REFERENCE_TRIANGLES:-210000}
+        triangles=${REFERENCE_TRIANGLES:-120000}
         verify reference "$programs/zraster-verify" --triangles "$triangles" --floats 300
         verify reference-scenes "$programs/zraster-verify" tests/scenes clients/examples
         verify reference-parity "$programs/zraster-verify" --parity --kind polygons-clipped --triangles $((triangles / 20)) tests/scenes/many-corners.json
@@ -208,6 +205,10 @@ for part in "$@"; do
         run pictures tests/clients/test_pictures.sh "$build"
         # Without the models it compares pictures of meshes of its own.
         run bench-pictures "ZRASTERD=$build/zrasterd" "$build/zraster-bench" --check-only --models "$data/models"
+        ;;
+    docs)
+        run docs-1 HALF=1 tests/clients/test_docs.sh "$build"
+        run docs-2 HALF=2 tests/clients/test_docs.sh "$build"
         ;;
     mutants)
         run mutants-1 HALF=1 tests/reference/mutants.sh "$build"
