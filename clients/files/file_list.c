@@ -24,11 +24,11 @@ static int no_memory(void)
 
 /* A file of the list, of any shard. */
 struct listed {
-    char *file, *out;        /* `out`: NULL unless a line names it */
-    const char *stem;        /* in `file` */
-    bool keeps_ending;       /* another file has the same stem but for its ending */
-    bool needs_folder;       /* another file has the same stem: the next name that is compared has one more folder */
-    struct options *options; /* of the line; NULL: those of the batch */
+    char *file, *out;                /* `out`: NULL unless a line names it */
+    const char *stem;                /* in `file` */
+    bool keeps_ending;               /* another file has the same stem but for its ending */
+    bool needs_ending, needs_folder; /* the next name that is compared has its ending, or one more folder */
+    struct options *options;         /* of the line; NULL: those of the batch */
     size_t line;
 };
 
@@ -320,16 +320,17 @@ static bool take_folder(struct listed *listed)
 }
 
 /* Files whose stems differ in their endings, such as part.stl and part.obj, keep these. Others, such as a/part.stl and
- * b/part.stl, need their folders. Returns false if neither has one. */
+ * b/part.stl, take their folders. Returns false if one has none: its output could be that of the other in an earlier
+ * batch, which --resume would take for its own. */
 static bool tell_apart(struct listed *a, struct listed *b)
 {
     if (a->out || b->out) return false;
     if (strcmp(a->stem, b->stem) != 0) {
-        a->keeps_ending = b->keeps_ending = true;
+        a->needs_ending = b->needs_ending = true;
         return true;
     }
     struct listed longer_a = *a, longer_b = *b;
-    if (bytes_same_file(a->file, b->file) || (!take_folder(&longer_a) && !take_folder(&longer_b))) return false;
+    if (bytes_same_file(a->file, b->file) || !take_folder(&longer_a) || !take_folder(&longer_b)) return false;
     a->needs_folder = b->needs_folder = true;
     return true;
 }
@@ -368,8 +369,10 @@ static int compare_all(struct file_list *list, struct named *named, bool *change
         for (size_t k = i; status == 0 && k > 0 && named[k - 1].hash == named[i].hash; k--)
             status = check_pair(list, &list->files[named[k - 1].index], &list->files[named[i].index], changes);
     for (size_t i = 0; i < count; i++) {
-        if (list->files[i].needs_folder) take_folder(&list->files[i]);
-        list->files[i].needs_folder = false;
+        struct listed *listed = &list->files[i];
+        if (listed->needs_folder) take_folder(listed);
+        listed->keeps_ending |= listed->needs_ending;
+        listed->needs_folder = listed->needs_ending = false;
     }
     return status;
 }

@@ -15,7 +15,7 @@
     ROW(sheet, 's', "FILE [-o OUTPUT] [OPTION]...",                                                                    \
         "draws several sides into one picture at one scale: --sheet threeView or balanced, or --views")                \
     ROW(turntable, 't', "FILE [-o OUTPUT] [OPTION]...",                                                                \
-        "draws an animated PNG, WebP or GIF: the camera turns once around FILE")                                            \
+        "draws an animated PNG, WebP or GIF: the camera turns once around FILE")                                       \
     ROW(compare, 'c', "A.png B.png [-o DIFF.png]", "counts the pixels that differ; exit status 4 if any do")           \
     ROW(watch, 'w', "FILE [-o OUTPUT] [OPTION]...", "draws the file again whenever it changes")                        \
     ROW(mcp, 'm', "--root DIR [OPTION]...",                                                                            \
@@ -34,10 +34,11 @@
         "file, folder or standard output; .svg: lines alone (default: FILE with another ending, in this folder; "      \
         "compare: "                                                                                                    \
         "none)")                                                                                                       \
-    ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS, "window in pixels; N means NxN; -W or -H alone keeps 4:3")       \
+    ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS,                                                                  \
+        "window in pixels; N means NxN; for models -W or -H alone keeps 4:3")                                          \
     ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcwvst", "no overwriting of existing files")                            \
     ROW(SHOW, "show", 0, NULL, "rws", "picture in the terminal (kitty, iTerm2, sixel)")                                \
-    ROW(RESUME, "resume", 0, NULL, "b", "only files without outputs of these settings")                                             \
+    ROW(RESUME, "resume", 0, NULL, "b", "only files without outputs of these settings")                                \
     ROW(LIST, "list", 0, "FILE", "b", "more files of the batch, one per line of FILE, as on standard input for -")     \
     ROW(SHARD, "shard", 0, "I/N", "b",                                                                                 \
         "every Nth file of the list, beginning with file I, from 0; the shards 0/N to N-1/N draw each file once")      \

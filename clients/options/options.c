@@ -234,6 +234,9 @@ static int read_size(struct options *options)
     if (width < 1 || width > SIZE_DIGITS || height < 1 || height > SIZE_DIGITS || second[height] ||
         (size[width] && size[width] != 'x'))
         return options_wrong("--size accepts WIDTHxHEIGHT, such as 800x600, or one number for a square, not %s", size);
+    if (options->parameters[PARAMETER_width] || options->parameters[PARAMETER_height])
+        return options_wrong("--size and %s both set the window; leave one out",
+                             options->parameters[PARAMETER_width] ? "--width" : "--height");
     snprintf(options->width, sizeof options->width, "%.*s", (int)width, size);
     snprintf(options->height, sizeof options->height, "%s", second);
     options->parameters[PARAMETER_width] = options->width;
@@ -241,7 +244,7 @@ static int read_size(struct options *options)
     return 0;
 }
 
-/* Completes a width or height alone to 4:3. The renderer reports texts that are no numbers. */
+/* Completes a width or height alone to 4:3, for models: scenes have their own. The renderer reports texts that are no numbers. */
 static void complete_size(struct options *options)
 {
     const char *width = options->parameters[PARAMETER_width], *height = options->parameters[PARAMETER_height];
@@ -249,7 +252,8 @@ static void complete_size(struct options *options)
     if (!one || (width && height) || strlen(one) > SIZE_DIGITS || one[count_digits(one)]) return;
     const int side = atoi(one), other = width ? side * 3 / 4 : side * 4 / 3;
     snprintf(options->width, sizeof options->width, "%d", other > 0 ? other : 1);
-    options->parameters[width ? PARAMETER_height : PARAMETER_width] = options->width;
+    options->completed = options->width;
+    options->parameters[width ? PARAMETER_height : PARAMETER_width] = options->completed;
 }
 
 static int check_channels(const struct options *options)

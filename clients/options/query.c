@@ -18,9 +18,11 @@ char *query_make(const struct options *options, bool is_scene)
     struct bytes query = {NULL, 0, 0};
     bytes_print(&query, "%s", "");
     for (size_t i = 0; i < PARAMETER_COUNT; i++) {
-        if (!options->parameters[i] || i == PARAMETER_strict || (is_scene && parameter_rows[i].of_mesh)) continue;
+        const char *text = options->parameters[i];
+        if (!text || i == PARAMETER_strict) continue;
+        if (is_scene && (parameter_rows[i].of_mesh || text == options->completed)) continue;
         bytes_print(&query, "%s%s=", query.size ? "&" : "", parameter_rows[i].name);
-        add_escaped(&query, options->parameters[i]);
+        add_escaped(&query, text);
     }
     return query.data;
 }

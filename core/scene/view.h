@@ -86,7 +86,6 @@ struct zr_view {
 
     bool has_znear, has_zfar; /* false: taken from the bounds */
     float znear, zfar;        /* distances in front of the camera */
-    float near_most;          /* least chosen near plane, at a part far from the others; 0: no such part */
     float fit_padding;        /* share of the window left free on each side */
     bool fit_to_mesh;         /* the view is fitted only to instances of fit_mesh and of meshes that it owns */
     uint32_t fit_mesh;

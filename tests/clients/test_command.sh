@@ -26,6 +26,8 @@ check "the second argument is the output" 0 "$zraster" part.stl second.png --siz
 verdict "a size of one number is a square" [ "$(size_of_png second.png)" = 40x40 ]
 check "--output is -o" 0 "$zraster" part.stl --output third.png -W 80
 verdict "a width alone keeps 4:3" [ "$(size_of_png third.png)" = 80x60 ]
+"$zraster" scene.json -o third.png -W 8 >"$said" 2>"$complained"
+verdict "but not the height of a scene" [ "$(size_of_png third.png)" = "8x$(sed -n 's/.*"height": \([0-9]*\).*/\1/p' scene.json | head -n 1)" ]
 "$zraster" - -s64x48 <part.stl >piped.png 2>"$complained"
 verdict "a pipe gets the picture" [ "$(size_of_png piped.png)" = 64x48 ]
 check "-z is an axis" 0 "$zraster" part.stl up.png --up -z -s 8
@@ -251,12 +253,14 @@ verdict "under names with their endings" [ "$(cd stemmed && echo *)" = "other.pn
 check "and --resume finds them" 0 "$zraster" batch stems -o stemmed -s 8 --resume --json
 verdict "all" [ "$(grep -c '"skipped"' "$said")" = 3 ]
 
-mkdir -p robots/ur3/visual robots/ur5/visual robots/ur5/collision && triangle | tee robots/ur3/visual/base.stl robots/ur5/visual/base.stl robots/ur5/collision/base.stl >robots/base.stl
-check "a batch draws files of one name in several folders" 0 "$zraster" batch robots/base.stl robots/ur*/*/base.stl -o bases -s 8
-verdict "under names with the folders that tell them apart" [ "$(cd bases && echo $(find . -name '*.png' | sort))" = "./collision/base.png ./robots/base.png ./ur3/visual/base.png ./ur5/visual/base.png" ]
-(cd robots/ur3 && triangle >base.stl && "$zraster" batch base.stl ../base.stl -o bases -s 8) >"$said" 2>"$complained"
-verdict "unless no folder does" [ $? = 2 ]
+mkdir -p robots/ur3/visual robots/ur5/visual robots/ur5/collision && triangle | tee robots/ur3/visual/base.stl robots/ur5/visual/base.stl robots/ur5/collision/base.stl robots/base.stl >base.stl
+cp stems/part.obj robots/ur5/collision/base.obj
+check "a batch draws files of one name in several folders" 0 "$zraster" batch robots/base.stl robots/ur*/*/base.* -o bases -s 8
+verdict "under names with the folders that tell them apart" [ "$(cd bases && echo $(find . -name '*.png' | sort))" = "./base.obj.png ./collision/base.stl.png ./robots/base.stl.png ./ur3/visual/base.stl.png ./ur5/visual/base.stl.png" ]
+check "unless one has no folder" 2 "$zraster" batch base.stl robots/base.stl -o bases -s 8
 verdict "and it is said" grep -q 'would have the same output, bases/base; draw them in two calls with -o FOLDER' "$complained"
+check "a file of a folder is not drawn twice" 2 "$zraster" batch stems stems/part.stl -o bases -s 8
+verdict "under any name" grep -q 'stems/part.stl is given twice' "$complained"
 
 # What has no end is refused, or read until a signal.
 mkdir pipes && mkfifo pipes/pipe.obj && ln -s pipe.obj pipes/link.obj && triangle >pipes/part.stl

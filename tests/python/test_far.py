@@ -64,30 +64,6 @@ class Far(unittest.TestCase):
         near, far = (zraster.render(doubled(by), ["color"])["color"] for by in ((0, 0, 0), (4e5 + 1 / 64, -3e5, 62500)))
         self.assertTrue((far == near).all())
 
-    def test_lists_near_and_far_are_each_drawn_as_at_the_origin(self):
-        def view(by):
-            return {"eye": [by[0] + 0.5, by[1] + 0.5, by[2] + 3], "target": [by[0] + 0.5, by[1] + 0.5, by[2]],
-                    "znear": 1, "zfar": 9}
-
-        def chosen(by):
-            return {key: value for key, value in view(by).items() if key in ("eye", "target")}
-
-        def mesh(by):
-            return {"positions": moved(by), "faces": [[0, 1, 2]], "colors": COLORS, "doubleSided": True}
-        size, zero = {"window": {"width": 32, "height": 32}}, (0, 0, 0)
-        near = zraster.render(dict(size, meshes=[mesh(zero)], view=view(zero)), ["color"])["color"]
-        both = [mesh(zero), mesh(FAR)]
-        for scene in ({"meshes": both}, {"meshes": both[:1], "nodes": [{"mesh": 0}, {"mesh": 0, "translation": list(FAR)}]}):
-            far = zraster.render(dict(size, view=view(FAR), **scene), ["color", {"channel": "position", "space": "world"}])
-            self.assertTrue((far["color"] == near).all())
-            self.assertLess(abs(far["position"][16, 12] - FAR).max(), 1.1)
-            far = zraster.render(dict(size, view=chosen(FAR), **scene), ["color"])       # its planes are chosen
-            self.assertTrue((far["color"] == near).all())
-            views = [{"name": "near", "view": view(zero)}, {"name": "far", "view": view(FAR)}]
-            pictures = zraster.render(dict(size, views=views, **scene), ["color"])
-            for name in ("near.color", "far.color"):
-                self.assertTrue((pictures[name] == near).all(), name)
-
     def test_keys_of_animations_keep_their_digits(self):
         def moves(by):
             keys = [[by[0] + k / 64, by[1], by[2]] for k in (0, 1, 3)]

@@ -1,11 +1,8 @@
 #include "input/root/json_far.h"
 
-#include <string.h>
-
 #include "base/matrix.h"
 #include "base/vec.h"
 #include "input/mesh/parsed_mesh.h"
-#include "input/scene/kept.h"
 
 /* Positions or instances between two checks for cancellation. */
 enum { AT_ONCE = 1 << 14 };
@@ -116,7 +113,7 @@ static bool has_far_list(const struct zr_parsed_scene *root)
     return false;
 }
 
-/* ---- parts that are far from one another ---- */
+/* ---- lists that nodes bring back ---- */
 
 /* Parts of a scene that was read. */
 struct parts {
@@ -133,17 +130,6 @@ static bool open_parts(const struct zr_parsed_scene *root, struct parts *parts)
     return parts->boxes && parts->found;
 }
 
-/* Adds the origin that the scene was read with. */
-static struct zr_box in_scene(const struct parts *parts, struct zr_box box)
-{
-    const struct zr_far *far = parts->root->json.far;
-    for (int axis = 0; far && axis < 3; axis++) {
-        box.low[axis] += far->origin[axis];
-        box.high[axis] += far->origin[axis];
-    }
-    return box;
-}
-
 /* Returns the bounds of an instance, or of three of its positions. */
 static struct zr_box sample_of(const struct parts *parts, const struct zr_instance *instance)
 {
@@ -152,7 +138,7 @@ static struct zr_box sample_of(const struct parts *parts, const struct zr_instan
     struct zr_box box = zr_box_empty();
     for (uint32_t k = 0; k < mesh->position_count; k += step)
         include(&box, zr_mat4_apply(&instance->object_to_world, mesh->positions[k]));
-    return in_scene(parts, box);
+    return box;
 }
 
 static struct zr_box bounds_of(const struct parts *parts, const struct zr_instance *instance)
@@ -163,7 +149,7 @@ static struct zr_box bounds_of(const struct parts *parts, const struct zr_instan
     if (!parts->found[mesh]) parts->boxes[mesh] = box_of(parts->root, &parts->root->scene->meshes[mesh]);
     parts->found[mesh] = true;
     zr_box_include_placed(&box, &parts->boxes[mesh], &matrix);
-    return in_scene(parts, box);
+    return box;
 }
 
 /* True if the instance is remote; *box: its bounds. A single position has no size, and is not. */
@@ -173,69 +159,6 @@ static bool is_far_part(const struct parts *parts, const struct zr_instance *ins
     if (!(box->low[0] <= box->high[0] && zr_box_is_remote(box, ZR_FAR_SIZES / 2.0))) return false;
     *box = bounds_of(parts, instance);
     return is_remote(box);
-}
-
-static bool is_fitted(const struct zr_scene *scene, const struct zr_instance *instance)
-{
-    const uint32_t owner = scene->mesh_owners ? scene->mesh_owners[instance->mesh] : instance->mesh;
-    return owner == scene->views[0].fit_mesh;
-}
-
-/* Finds the places that the camera is at or looks at. False if it shows all parts. */
-static bool find_camera(const struct parts *parts, struct zr_box places[2])
-{
-    const struct zr_scene *scene = parts->root->scene;
-    const struct zr_view *view = &scene->views[0];
-    const bool looks_at = view->pose == ZR_POSE_LOOK_AT, has_target = looks_at || view->has_target;
-    zr_mat4 inverse = zr_mat4_identity();
-    places[0] = places[1] = zr_box_empty();
-    if (view->pose == ZR_POSE_MATRIX && zr_mat4_invert(&view->world_to_camera, &inverse))
-        include(&places[0], (zr_vec4){inverse.m[12], inverse.m[13], inverse.m[14], 1.0f});
-    if (looks_at) include(&places[0], (zr_vec4){view->eye.x, view->eye.y, view->eye.z, 1.0f});
-    if (has_target) include(&places[1], (zr_vec4){view->target.x, view->target.y, view->target.z, 1.0f});
-    for (int i = 0; i < 2; i++)
-        places[i] = in_scene(parts, places[i]);
-    for (uint32_t i = 0; !looks_at && view->fit_to_mesh && i < scene->instance_count; i++)
-        if (is_fitted(scene, &scene->instances[i])) places[0] = bounds_of(parts, &scene->instances[i]);
-    return places[0].low[0] <= places[0].high[0] || has_target;
-}
-
-/* Returns the size of the part together with the nearer place of the camera; HUGE_VAL if they are not remote. */
-static double size_with(const struct zr_box *part, const struct zr_box places[2])
-{
-    double least = HUGE_VAL;
-    for (int i = 0; i < 2; i++) {
-        struct zr_box both = *part;
-        double size = 0.0;
-        zr_box_join(&both, &places[i]);
-        for (int axis = 0; axis < 3; axis++)
-            size = fmax(size, both.high[axis] - both.low[axis]);
-        if (places[i].low[0] <= places[i].high[0] && is_remote(&both)) least = fmin(least, size);
-    }
-    return least;
-}
-
-bool zr_far_follow(const struct zr_parsed_scene *root, struct zr_far *far)
-{
-    const struct zr_scene *scene = root->scene;
-    const double before[3] = {far->origin[0], far->origin[1], far->origin[2]};
-    double least = HUGE_VAL;
-    struct parts parts;
-    struct zr_box places[2], box;
-    if (!open_parts(root, &parts)) return false;
-    const bool has_camera = find_camera(&parts, places);
-    memset(far->origin, 0, sizeof far->origin);
-    far->follows_camera = false;
-    for (uint32_t i = 0; i < scene->instance_count; i++) {
-        if (i % AT_ONCE == 0 && zr_is_cancelled(root->json.cancel)) break;
-        if (!is_far_part(&parts, &scene->instances[i], &box)) continue;
-        const double size = has_camera ? size_with(&box, places) : HUGE_VAL;
-        far->follows_camera = true;
-        if (size < least) find_middle(&box, far->origin);
-        least = fmin(least, size);
-    }
-    far->size = least;
-    return memcmp(before, far->origin, sizeof before) != 0;
 }
 
 /* True if a list is moved whose instance is not far. */
@@ -255,13 +178,6 @@ static bool undoes_move(const struct zr_parsed_scene *root, const struct zr_far 
     return false;
 }
 
-/* True if views with other cameras may follow. */
-static bool may_change_camera(const struct zr_parsed_scene *root)
-{
-    const struct zr_keeping *keeping = root->builder->keeping;
-    return keeping && keeping->into && (!keeping->if_views || root->scene->view_set);
-}
-
 bool zr_far_find(const struct zr_parsed_scene *root, struct zr_far *far)
 {
     const bool is_far = may_be_far(root), has_list = is_far || has_far_list(root);
@@ -273,7 +189,5 @@ bool zr_far_find(const struct zr_parsed_scene *root, struct zr_far *far)
     const bool is_together = has_list && find_moves(root, boxes, moves);
     const struct zr_box placed = is_far ? placed_of(root, false) : zr_box_empty();
     find_middle(&placed, far->origin);
-    if (!zr_far_moves(far->origin)) zr_far_follow(root, far);
-    return is_together || zr_far_moves(far->origin) || has_far_model(root) ||
-           (far->follows_camera && may_change_camera(root)) || (has_list && undoes_move(root, far));
+    return is_together || zr_far_moves(far->origin) || has_far_model(root) || (has_list && undoes_move(root, far));
 }

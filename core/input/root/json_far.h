@@ -9,12 +9,8 @@
 #include "input/text/recenter.h"
 
 /* Finds what to subtract from the doubles of a scene that was read without: the middle of all lists of positions if they
- * are remote together, else of each remote list; and the middle of a remote scene, else of the part that zr_far_follow
- * finds. False if nothing is far, or without memory. */
+ * are remote together, else of each remote list; and the middle of a remote scene. False if nothing is far, or without
+ * memory. */
 bool zr_far_find(const struct zr_parsed_scene *root, struct zr_far *far);
-
-/* Sets the origin of a scene that was read, whose parts are far from one another: to the middle of the remote part that
- * is next to the camera; to (0, 0, 0) if the camera is nearer to that, or if the view fits all parts. True if it changed. */
-bool zr_far_follow(const struct zr_parsed_scene *root, struct zr_far *far);
 
 #endif

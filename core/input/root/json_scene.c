@@ -107,9 +107,6 @@ static bool read_keys(struct zr_parsed_scene *root)
     return zr_json_fields(json, NULL, &zr_json_object_scene, root, &root->keys);
 }
 
-/* A near plane that is chosen is at least so many sizes of the far part from the camera there. */
-#define NEAR_SIZES 1e-3
-
 /* Reads the text and makes the scene. */
 static void read_text(struct zr_parsed_scene *root, const struct zr_request *request)
 {
@@ -121,7 +118,6 @@ static void read_text(struct zr_parsed_scene *root, const struct zr_request *req
     if (!json->far || !zr_far_moves(json->far->origin)) return;
     root->scene->origin = json->far->origin;
     root->scene->adds_origin = true;
-    if (json->far->follows_camera) root->scene->views[0].near_most = (float)(json->far->size * NEAR_SIZES);
 }
 
 /* State before the first reading. */
@@ -131,30 +127,18 @@ struct start {
     struct zr_scene_builder builder;
 };
 
-static void read_again(struct zr_parsed_scene *root, const struct zr_request *request, const struct start *start,
-                       const struct zr_far *far)
+/* Reads a scene that is far from the origin again, from the beginning. */
+static void read_far(struct zr_parsed_scene *root, const struct zr_request *request, const struct start *start)
 {
-    const struct zr_keeping *keeping = root->builder->keeping;
+    struct zr_arena *arena = root->json.arena;
+    struct zr_far *far = zr_arena_alloc(arena, 1, sizeof *far);
+    if (!far || !zr_arena_ok(arena) || root->json.error->count > 0 || !zr_far_find(root, far)) return;
     *root = start->root;
     *root->scene = start->scene;
     *root->builder = start->builder;
-    root->picture = zr_arena_zero(root->json.arena, 1, sizeof *root->picture);
-    if (!root->picture || (keeping && keeping->from && !zr_kept_load(keeping->from, root))) return;
+    root->picture = zr_arena_zero(arena, 1, sizeof *root->picture);
     root->json.far = far;
-    read_text(root, request);
-}
-
-/* Reads a scene that is far from the origin again, and a changed one whose camera is at another far part. */
-static void read_far(struct zr_parsed_scene *root, const struct zr_request *request, const struct start *start)
-{
-    const struct zr_keeping *keeping = root->builder->keeping;
-    const struct zr_far *kept = root->json.far;
-    struct zr_far *far = zr_arena_alloc(root->json.arena, 1, sizeof *far);
-    if (!far || !zr_arena_ok(root->json.arena) || root->json.error->count > 0) return;
-    if (kept) *far = *kept;
-    const bool is_changed = keeping && keeping->from;
-    if (kept ? kept->follows_camera && zr_far_follow(root, far) : !is_changed && zr_far_find(root, far))
-        read_again(root, request, start, far);
+    if (root->picture) read_text(root, request);
 }
 
 enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_request *request,
@@ -184,6 +168,6 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
     const struct start start = {root, *scene, *builder};
     if (keeping && keeping->from && !zr_kept_load(keeping->from, &root)) return ZR_NO_MEMORY;
     read_text(&root, request);
-    read_far(&root, request, &start);
+    if (!json->far && !(keeping && keeping->from)) read_far(&root, request, &start);
     return zr_json_close(json);
 }

@@ -76,8 +76,6 @@ struct zr_far {
     uint32_t mesh_count;
     const double (*moves)[3]; /* from positions, which nodes may place: per mesh of the list, then of the polygons */
     double origin[3];         /* from places in world space: the scene's new origin */
-    bool follows_camera;      /* parts are far from one another: the origin is that of the part next to the camera */
-    double size;              /* of this part together with the camera; HUGE_VAL: there is none */
 };
 
 /* Returns what is subtracted from positions of a mesh; beyond the list: of the polygons. */

@@ -60,11 +60,10 @@ static void grow_to_window(const struct zr_view *view, double x, double y, doubl
 /* ---- depth range ---- */
 
 /* Returns the least near distance of a perspective camera: 1e-4 of the far distance, to keep depth precision. A view
- * fitted to one mesh may go nearer, to half that mesh's nearest depth, and one at a part far from the others, too. */
+ * fitted to one mesh may go nearer, to half that mesh's nearest depth. */
 static double least_znear(const struct zr_view *view, const struct zr_extent *fitted, double zfar)
 {
-    double least = zfar * 1e-4, nearest = -fitted->max.z;
-    if (view->near_most > 0.0f) least = fmin(least, (double)view->near_most);
+    const double least = zfar * 1e-4, nearest = -fitted->max.z;
     return view->fit_to_mesh && nearest > 0.0 ? fmin(least, 0.5 * nearest) : least;
 }
 
