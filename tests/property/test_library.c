@@ -10,6 +10,7 @@
 #include "render_request.h"
 #include "support/files.h"
 #include "support/renderer.h"
+#include "support/sanitized.h"
 #include "support/tests.h"
 #include "views/views.h"
 
@@ -173,10 +174,11 @@ static char *merge_pose(const char *scene, const char *node, const char *matrix)
 
 /* ---- all scenes ---- */
 
-static void check_file(const char *path, void *context)
+/* Under a sanitizer, one of three: test_scene_files draws all of them there. */
+static void check_file(const char *path, void *number)
 {
-    (void)context;
     size_t size;
+    if (IS_SANITIZED && (*(int *)number)++ % 3 > 0) return;
     char *text = file_read(path, &size);
     assert_non_null(text);
     assert_same(core_answer(text, size), library_answer(text, size), path, "zraster_draw");
@@ -193,8 +195,9 @@ static void check_file(const char *path, void *context)
 
 TEST(all_scenes_are_drawn_as_by_the_core)
 {
-    assert_true(files_each("tests/scenes", ".json", check_file, NULL) > 30);
-    assert_true(files_each("clients/examples", ".json", check_file, NULL) > 0);
+    int number = 0;
+    assert_true(files_each("tests/scenes", ".json", check_file, &number) > 30);
+    assert_true(files_each("clients/examples", ".json", check_file, &number) > 0);
 }
 
 /* ---- poses ---- */
