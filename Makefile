@@ -542,14 +542,14 @@ fuzzers: $(fuzz_targets) $(BUILD)/tests/fuzz/seeds
 unit-tests: $(unit_tests)
 
 .PHONY: checks
-checks: checks-alone $(verify)
+checks: checks-alone $(verify) mutants
 
 # Without what compares with Mesa.
 .PHONY: checks-alone
 checks-alone: all fuzzers $(unit_tests) $(server_tests) $(BUILD)/zraster-tables $(BUILD)/zraster-reference $(BUILD)/failing_malloc.so
 
 .PHONY: tests
-tests: checks mutants $(BUILD)/zraster-bench $(bench_alone)
+tests: checks $(BUILD)/zraster-bench $(bench_alone)
 
 .PHONY: needs
 needs:
