@@ -11,19 +11,17 @@
  *         wedges. It is more than rounding to float turns facets longer than 1e-4 of their coordinates.
  * Lines:  the overlap is probed along up to 1 + 3 * 6 lines. A pair that is no wall on any of them, because something
  *         lies between, is passed over. If the first line is none, the triangles that the others may cross are listed
- *         once, unless they are many: half to a fifth of the steps of parts with ribs.
+ *         once, unless they are many. Parts with ribs then take half to a fifth of the steps.
  * Best:   gains below 1e-6 of the wall plus a tenth of a step are not sought.
  * Work:   counted in steps: visits of boxes and tests of triangles, some 15 ns each. If the caller's steps do not
  *         suffice, such as for thousands of turned faces at the same place, or a line crosses a wall more than
- *         ZR_WALL_CROSSINGS times, there is no result.
+ *         ZR_WALL_CROSSINGS times (wall_lines.h), there is no result.
  * Exact:  one thread, in a fixed order, without libm but for sqrt.
  */
 #ifndef ZR_LEAST_WALL_H
 #define ZR_LEAST_WALL_H
 
 #include "mesh/wall_tree.h"
-
-enum { ZR_WALL_CROSSINGS = 512 };
 
 /* Length of the sum of two opposite unit normals: 0.1 degrees. */
 #define ZR_WALL_TILT 1.7453292e-3f
