@@ -221,7 +221,7 @@ test: ## installs what tests need and runs every test
 	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make times server clients python reference models
 
 .PHONY: test-more
-test-more: ## what make test leaves to CI: examples of the manual, mutants that the comparison with Mesa must find, pictures of gallery, manual and bench
+test-more: ## tests that make test leaves to CI: examples of the manual, mutants that the comparison with Mesa must find, pictures of gallery, manual and bench
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
 	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) docs pictures mutants
@@ -645,7 +645,7 @@ $(BUILD)/%.a:
 $(BUILD)/zrasterd: $(server) $(BUILD)/libcore.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
 
-# What a test preloads comes before the sanitizers only where they are a library, too. gcc's are.
+# A test preloads a library, which must come before the sanitizers. So these are a library, too, as gcc's are.
 ifneq ($(filter-out thread,$(SAN)),)
 ifneq ($(findstring __clang__,$(macros)),)
 asan_library := $(shell $(CC) -print-file-name=libclang_rt.asan-$(target).so)

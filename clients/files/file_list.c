@@ -27,7 +27,7 @@ struct listed {
     char *file, *out;                /* `out`: NULL unless a line names it */
     const char *stem;                /* in `file` */
     bool keeps_ending;               /* another file has the same stem but for its ending */
-    bool needs_ending, needs_folder; /* the next name that is compared has its ending, or one more folder */
+    bool needs_ending, needs_folder; /* from the next pass on: its ending, one more folder */
     struct options *options;         /* of the line; NULL: those of the batch */
     size_t line;
 };
@@ -303,7 +303,7 @@ static int refuse_names(const struct listed *a, const struct listed *b, const ch
                          b->file, name);
 }
 
-/* Puts the folder before the stem into it. Returns false if there is none: the path begins, or "." or ".." is before it. */
+/* Lengthens the stem by the folder before it. Returns false if there is none, or if it is "." or "..". */
 static bool take_folder(struct listed *listed)
 {
     if (listed->stem < listed->file + 2) return false;
@@ -320,8 +320,8 @@ static bool take_folder(struct listed *listed)
 }
 
 /* Files whose stems differ in their endings, such as part.stl and part.obj, keep these. Others, such as a/part.stl and
- * b/part.stl, take their folders. Returns false if one has none: its output could be that of the other in an earlier
- * batch, which --resume would take for its own. */
+ * b/part.stl, take their folders. Returns false if one has no folder: it would keep its name, and --resume would take an
+ * earlier picture of the other file for its own. */
 static bool tell_apart(struct listed *a, struct listed *b)
 {
     if (a->out || b->out) return false;
@@ -351,7 +351,7 @@ static int check_pair(const struct file_list *list, struct listed *a, struct lis
     return status;
 }
 
-/* Compares the names of all outputs, and changes those that are the same, which sets `changes`, or refuses the files. */
+/* Compares the names of all outputs. Lengthens equal ones and sets `changes`, or refuses the files. */
 static int compare_all(struct file_list *list, struct named *named, bool *changes)
 {
     const size_t count = list->file_count;
@@ -377,7 +377,7 @@ static int compare_all(struct file_list *list, struct named *named, bool *change
     return status;
 }
 
-/* Gives each file outputs of its own, or refuses the files. Each change makes a name longer, which ends at its path. */
+/* Gives each file outputs of its own, or refuses the files. Each pass lengthens names, at most to whole paths. */
 static int check_names(struct file_list *list)
 {
     struct named *named = calloc(list->file_count + 1, sizeof *named);

@@ -18,11 +18,11 @@ struct file_list {
 };
 
 /* Makes the jobs of all arguments and of --list, or of one shard of them. A folder stands for the files below it that
- * have the ending of a format, without JSON files that are no scenes; their outputs keep the folders below it. Outputs
- * that would have the same name keep as much of the path as tells them apart. "-" stands for lines of standard input: names, or
- * objects {"file": ..., "output": ..., "look": ...} with any parameters. The order depends on names alone. Returns
- * 0, or an exit status reported on stderr: a file is missing, a line is wrong, or two outputs have the same name, also
- * if they are of other shards. The texts live until the process ends. */
+ * have the ending of a format, without JSON files that are no scenes; their outputs keep the folders below it. Outputs of
+ * equal names keep their endings, or the folders that tell them apart. "-" stands for lines of standard input: names, or
+ * objects {"file": ..., "output": ..., "look": ...} with any parameters. The order depends on names alone. Returns 0, or
+ * an exit status reported on stderr: a file is missing, a line is wrong, or two outputs have the same name, also if they
+ * are of other shards. The texts live until the process ends. */
 int file_list_make(struct file_list *list, const struct options *options);
 
 #endif

@@ -244,7 +244,8 @@ static int read_size(struct options *options)
     return 0;
 }
 
-/* Completes a width or height alone to 4:3, for models: scenes have their own. The renderer reports texts that are no numbers. */
+/* Completes a width or height alone to 4:3, for models; a scene keeps its own. The renderer reports texts that are no
+ * numbers. */
 static void complete_size(struct options *options)
 {
     const char *width = options->parameters[PARAMETER_width], *height = options->parameters[PARAMETER_height];

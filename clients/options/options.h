@@ -68,7 +68,7 @@ struct options {
     const char *parts[PARTS_MAX]; /* NAME=FILE */
     size_t part_count;
     char width[12], height[12]; /* texts of these parameters */
-    const char *completed;      /* the one of them that the other gives, for models; NULL: none */
+    const char *completed;      /* the one that was computed from the other, for models; NULL: none */
 };
 
 /* Reads the arguments of the program, without its name; moves the files among them to the front. Returns 0, or the

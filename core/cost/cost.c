@@ -351,9 +351,8 @@ static void count_trace(const struct zr_cost_sample *sample, double *counts)
             pixels * fmin(meeting_pairs(sample) * fmax(faces / 6.0, 1.0), ZR_TRACE_STEPS_MAX);
 }
 
-/* Counts pairs of triangles in cells, of which long ones are in many: all of them, and those that cut one another, which
- * share most of their cells. The boxes of narrow triangles have longer sides than those of others of their area; such
- * triangles lie beside others along all their cells. */
+/* Counts pairs of triangles that share a cell, and pairs that cut one another, which share most of their cells. A long
+ * triangle lies in many cells. A narrow one has a longer box than others of its area, and neighbours in each cell. */
 static void count_line_pairs(const struct zr_cost_sample *sample, double times, double *counts)
 {
     const double faces = sample->faces * sample->scale, window = sample->width * sample->height;

@@ -29,8 +29,8 @@ enum { ZR_FACES_PER_TASK = 4096 };
 /* Steps of the search for least walls (mesh/least_wall.h): for all parts together, and for each of their triangles. */
 enum { ZR_WALL_STEPS_MIN = 1 << 17, ZR_WALL_STEPS = 192 };
 
-/* Work of a grid of rays (mesh/overlap.h): shared by all parts, but at least so much for each, and more for each of its
- * triangles. */
+/* Work of grids of rays (mesh/overlap.h): a sum that all parts share, the least work per part, and the work that each
+ * triangle adds. */
 enum { ZR_OVERLAP_WORK = 9 << 14, ZR_OVERLAP_WORK_LEAST = 1 << 12, ZR_OVERLAP_WORK_OF_TRIANGLE = 24 };
 
 /* Edges of a part that is not closed, and the middle of one, in world space. */

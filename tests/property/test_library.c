@@ -174,7 +174,7 @@ static char *merge_pose(const char *scene, const char *node, const char *matrix)
 
 /* ---- all scenes ---- */
 
-/* Under a sanitizer, one of three: test_scene_files draws all of them there. */
+/* Under a sanitizer, this draws one scene of three; test_scene_files draws all. */
 static void check_file(const char *path, void *number)
 {
     size_t size;

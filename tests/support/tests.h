@@ -4,7 +4,7 @@
  *     TEST_AROUND(name, before, after) { ... }     with setup and teardown of its own
  *     RUN_TESTS(before, after)                     last in the file: main, which runs its tests from top to bottom
  *
- * ONLY=NAME in the environment: that test alone. Status 1 where there is none of that name.
+ * ONLY=NAME in the environment runs that test alone. Status 1 if no test has that name.
  */
 #ifndef ZR_TEST_TESTS_H
 #define ZR_TEST_TESTS_H

@@ -54,7 +54,7 @@ static uint32_t lists_of(const struct zr_parsed_scene *root)
     return most < root->scene->mesh_count ? most : root->scene->mesh_count;
 }
 
-/* Sets the moves of lists. Returns true if they are remote together, and so have one. */
+/* Sets the offsets of lists. Returns true if the lists are remote together, and share one. */
 static bool find_moves(const struct zr_parsed_scene *root, struct zr_box *boxes, double (*moves)[3])
 {
     struct zr_box all = zr_box_empty();

@@ -8,9 +8,9 @@
 #include "input/scene/json_scene.h"
 #include "input/text/recenter.h"
 
-/* Finds what to subtract from the doubles of a scene that was read without: the middle of all lists of positions if they
- * are remote together, else of each remote list; and the middle of a remote scene. False if nothing is far, or without
- * memory. */
+/* Finds the offsets of a scene that was read without them. That of positions is the middle of all lists if they are
+ * remote together, else of each remote list. That of places is the middle of a remote scene. False if nothing is far, or
+ * without memory. */
 bool zr_far_find(const struct zr_parsed_scene *root, struct zr_far *far);
 
 #endif

@@ -70,15 +70,15 @@ static inline zr_vec4 zr_recenter_position(const double v[3], const double *orig
 /* Adds the corners of `box`, placed by the matrix, to `all`. */
 void zr_box_include_placed(struct zr_box *all, const struct zr_box *box, const struct zr_matrix *matrix);
 
-/* What is subtracted from the numbers of a scene in JSON that is far from the origin. Such a scene is read twice: the
- * first time to find these numbers, which are floats. (0, 0, 0) subtracts nothing. */
+/* Offsets of a scene in JSON that is far from the origin. They are subtracted from its doubles. Such a scene is read
+ * twice: the first time to find them. They are floats; (0, 0, 0) is none. */
 struct zr_far {
     uint32_t mesh_count;
     const double (*moves)[3]; /* from positions, which nodes may place: per mesh of the list, then of the polygons */
     double origin[3];         /* from places in world space: the scene's new origin */
 };
 
-/* Returns what is subtracted from positions of a mesh; beyond the list: of the polygons. */
+/* Returns the offset of a mesh's positions. A number beyond the list of meshes stands for the polygons. */
 static inline const double *zr_far_move(const struct zr_far *far, size_t mesh)
 {
     return far->moves[mesh < far->mesh_count ? mesh : far->mesh_count];

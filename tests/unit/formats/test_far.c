@@ -52,6 +52,18 @@ static void write_stl(const double by[3])
     put_text("endsolid t\n");
 }
 
+static void write_xyz(const double by[3])
+{
+    for (int i = 0; i < 4; i++)
+        put_corner("%.17g %.17g %.17g\n", i, by);
+}
+
+static void put_faces(void)
+{
+    for (int i = 0; i < 4; i++)
+        put_face("3 %d %d %d\n", i, 0);
+}
+
 static void write_ply_head(const char *form)
 {
     put_text("ply\nformat ");
@@ -63,10 +75,8 @@ static void write_ply_head(const char *form)
 static void write_ply(const double by[3])
 {
     write_ply_head("ascii");
-    for (int i = 0; i < 4; i++)
-        put_corner("%.17g %.17g %.17g\n", i, by);
-    for (int i = 0; i < 4; i++)
-        put_face("3 %d %d %d\n", i, 0);
+    write_xyz(by);
+    put_faces();
 }
 
 static void write_binary_ply(const double by[3])
@@ -88,16 +98,8 @@ static void write_binary_ply(const double by[3])
 static void write_off(const double by[3])
 {
     put_text("OFF\n4 4 0\n");
-    for (int i = 0; i < 4; i++)
-        put_corner("%.17g %.17g %.17g\n", i, by);
-    for (int i = 0; i < 4; i++)
-        put_face("3 %d %d %d\n", i, 0);
-}
-
-static void write_xyz(const double by[3])
-{
-    for (int i = 0; i < 4; i++)
-        put_corner("%.17g %.17g %.17g\n", i, by);
+    write_xyz(by);
+    put_faces();
 }
 
 static void write_pcd(const double by[3])
