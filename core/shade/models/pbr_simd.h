@@ -1,10 +1,13 @@
 /* pbr_simd.h - shade: metals and plastics by base colour, metallic factor and roughness, for kernels.
  *
- * Lamps:   glTF 2.0, appendix B: a mix of Lambert's diffuse and GGX's specular term with height-correlated Smith and
+ * Metals:  the colour is (1 - m) plastic + m metal, for the metallic factor m, and each keeps its own energy (glTF 2.0,
+ *          appendix B). The metal has F0 = base colour, F90 = 1 and no diffuse part. The diffuse part of the plastic
+ *          gets what its surface does not reflect, by the largest channel of its reflectance.
+ * Lamps:   glTF 2.0, appendix B: Lambert's diffuse term, and GGX's specular term with height-correlated Smith and
  *          Schlick. A lamp of colour 1 has the irradiance pi at normal incidence.
  * Ambient: the split sum (dfg.h), and light that bounces between the microfacets, so that no energy is lost: Fss = F0 A
- *          + F90 B, Ems = 1 - A - B, Favg = F0 + (F90 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg). The colour is Fss
- *          L(R) + (Fms Ems + c (1 - Fss - Fms Ems)) E(N).
+ *          + F90 B, Ems = 1 - A - B, Favg = F0 + (F90 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg). The metal is Fss
+ *          L(R) + Fms Ems E(N), the plastic Fss L(R) + (Fms Ems + c (1 - Fss - Fms Ems)) E(N).
  * Source:  Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", 2019.
  */
 #ifndef ZR_PBR_SIMD_H
@@ -83,10 +86,18 @@ static inline void zr_dfg_at_each_v(zr_vf roughness, zr_vf facing, zr_vf *a, zr_
 struct zr_pbr_v {
     struct zr_vec3_v diffuse, f0; /* base (1 - metallic); reflectance at normal incidence */
     zr_vf f90;                    /* reflectance at grazing incidence */
-    zr_vf facing;                 /* N.V, above 0 */
-    float alpha;                  /* of untextured surfaces */
-    zr_vf alphas;                 /* of textured ones, per lane */
+    zr_vf metallic;
+    float plastic_f0, plastic_f90; /* the plastic's largest reflectance at normal incidence, and at grazing incidence */
+    zr_vf facing;                  /* N.V, above 0 */
+    float alpha;                   /* of untextured surfaces */
+    zr_vf alphas;                  /* of textured ones, per lane */
 };
+
+static inline float zr_largest_of(zr_vec3 v)
+{
+    const float most = v.x > v.y ? v.x : v.y;
+    return most > v.z ? most : v.z;
+}
 
 static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, const struct zr_shading_v *s)
 {
@@ -98,6 +109,9 @@ static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, co
                            .f0 = zr_mix3_v(dielectric, s->base, metallic),
                            .f90 = zr_mix_v(grazing, one, metallic),
                            .facing = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, s->to_eye), zr_vf_set(1e-4f)), one),
+                           .metallic = metallic,
+                           .plastic_f0 = zr_largest_of(material->reflectance),
+                           .plastic_f90 = material->grazing,
                            .alpha = material->roughness * material->roughness};
     if (s->textured) pbr.alphas = s->textured->roughness * s->textured->roughness;
     return pbr;
@@ -105,19 +119,53 @@ static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, co
 
 /* ---- ambient light ---- */
 
-/* Returns one channel of the reflected ambient light. `ambient`: E, `mirrored`: L, both as they reach the surface. */
-static inline zr_vf zr_pbr_ambient_v(zr_vf f0, zr_vf f90, zr_vf diffuse, zr_vf a, zr_vf b, zr_vf ambient,
-                                     zr_vf mirrored)
-{
-    const zr_vf one = zr_vf_set(1.0f), single = f0 * a + f90 * b, lost = one - a - b;
-    const zr_vf average = f0 + (f90 - f0) * zr_vf_set(1.0f / 21.0f);
-    const zr_vf several = ZR_MUTANT(bounces_once, single * average / (one - lost * average) * lost, zr_vf_set(0.0f));
-    return single * mirrored + (several + diffuse * (one - single - several)) * ambient;
-}
-
 struct zr_ambient_v {
     struct zr_vec3_v diffuse, specular; /* E(N) and L(R) */
 };
+
+/* Fss and Ems Favg of one reflectance; Fms Ems is Fss scattered / (1 - scattered). */
+struct zr_bounces_v {
+    zr_vf once, scattered;
+};
+
+static inline struct zr_bounces_v zr_bounces_of_v(zr_vf f0, zr_vf f90, zr_vf a, zr_vf b)
+{
+    const zr_vf average = f0 + (f90 - f0) * zr_vf_set(1.0f / 21.0f), lost = zr_vf_set(1.0f) - a - b;
+    return (struct zr_bounces_v){f0 * a + f90 * b, ZR_MUTANT(bounces_once, lost * average, zr_vf_set(0.0f))};
+}
+
+/* Sets out[i] to Fms Ems, with one division for all. */
+static inline void zr_bounced_again_v(const struct zr_bounces_v bounces[4], zr_vf out[4])
+{
+    const zr_vf one = zr_vf_set(1.0f);
+    zr_vf rest[4];
+    for (int i = 0; i < 4; i++)
+        rest[i] = one - bounces[i].scattered;
+    const zr_vf low = rest[0] * rest[1], high = rest[2] * rest[3], inverse = one / (low * high);
+    const zr_vf over_low = inverse * high, over_high = inverse * low;
+    const zr_vf over[4] = {over_low * rest[1], over_low * rest[0], over_high * rest[3], over_high * rest[2]};
+    for (int i = 0; i < 4; i++)
+        out[i] = bounces[i].once * bounces[i].scattered * over[i];
+}
+
+/* Returns the reflected ambient light. `ambient`: E and L, both as they reach the surface. */
+static inline struct zr_vec3_v zr_pbr_ambient_v(const struct zr_pbr_v *pbr, struct zr_vec3_v base, zr_vf a, zr_vf b,
+                                                const struct zr_ambient_v *ambient)
+{
+    const zr_vf one = zr_vf_set(1.0f), matte = one - pbr->metallic;
+    const struct zr_bounces_v bounces[4] = {
+        zr_bounces_of_v(base.x, one, a, b), zr_bounces_of_v(base.y, one, a, b), zr_bounces_of_v(base.z, one, a, b),
+        zr_bounces_of_v(zr_vf_set(pbr->plastic_f0), zr_vf_set(pbr->plastic_f90), a, b)};
+    zr_vf again[4];
+    zr_bounced_again_v(bounces, again);
+    const zr_vf entering = one - bounces[3].once - again[3], of_plastic = matte * again[3];
+    const struct zr_vec3_v soft = {pbr->metallic * again[0] + of_plastic + pbr->diffuse.x * entering,
+                                   pbr->metallic * again[1] + of_plastic + pbr->diffuse.y * entering,
+                                   pbr->metallic * again[2] + of_plastic + pbr->diffuse.z * entering};
+    const zr_vf grazing = pbr->f90 * b;
+    const struct zr_vec3_v once = {pbr->f0.x * a + grazing, pbr->f0.y * a + grazing, pbr->f0.z * a + grazing};
+    return zr_add_v(zr_mul_v(once, ambient->specular), zr_mul_v(soft, ambient->diffuse));
+}
 
 static inline struct zr_vec3_v zr_to_environment_v(const struct zr_linear_lighting *lighting, struct zr_vec3_v v)
 {
@@ -180,10 +228,7 @@ ZR_INLINED struct zr_vec3_v zr_pbr_from_ambient_v(const struct zr_linear_lightin
     } else {
         zr_dfg_at_v(columns, pbr->facing, &a, &b);
     }
-    return (struct zr_vec3_v){
-        zr_pbr_ambient_v(pbr->f0.x, pbr->f90, pbr->diffuse.x, a, b, ambient.diffuse.x, ambient.specular.x),
-        zr_pbr_ambient_v(pbr->f0.y, pbr->f90, pbr->diffuse.y, a, b, ambient.diffuse.y, ambient.specular.y),
-        zr_pbr_ambient_v(pbr->f0.z, pbr->f90, pbr->diffuse.z, a, b, ambient.diffuse.z, ambient.specular.z)};
+    return zr_pbr_ambient_v(pbr, s->base, a, b, &ambient);
 }
 
 /* ---- lamps ---- */
@@ -207,10 +252,9 @@ static inline zr_vf zr_ggx_v(zr_vf square, zr_vf rest, zr_vf nh, zr_vf square_si
     return zr_vf_select(ZR_MUTANT(ggx_from_behind, zr_vf_lt(zero, nh), ZR_ALL_LANES), reflected, zero);
 }
 
-static inline zr_vf zr_pbr_reflected_v(zr_vf f0, zr_vf f90, zr_vf diffuse, zr_vf fresnel, zr_vf specular)
+static inline zr_vf zr_schlick_v(zr_vf f0, zr_vf f90, zr_vf fresnel)
 {
-    const zr_vf f = f0 + (f90 - f0) * fresnel;
-    return f * specular + (zr_vf_set(1.0f) - f) * diffuse;
+    return f0 + (f90 - f0) * fresnel;
 }
 
 /* Returns the reflected light of a lamp of which `share` arrives; `to_light` is a unit vector. */
@@ -232,9 +276,10 @@ static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 
                                     zr_vf_max(nl, zr_vf_set(1e-6f)));
     const zr_vf away = one - vh, square = away * away;
     const zr_vf fresnel = ZR_MUTANT(fresnel_of_4th_power, square * square * away, square * square);
-    const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->f90, pbr->diffuse.x, fresnel, specular),
-                                        zr_pbr_reflected_v(pbr->f0.y, pbr->f90, pbr->diffuse.y, fresnel, specular),
-                                        zr_pbr_reflected_v(pbr->f0.z, pbr->f90, pbr->diffuse.z, fresnel, specular)};
+    const zr_vf entering = one - zr_schlick_v(zr_vf_set(pbr->plastic_f0), zr_vf_set(pbr->plastic_f90), fresnel);
+    const struct zr_vec3_v f = {zr_schlick_v(pbr->f0.x, pbr->f90, fresnel), zr_schlick_v(pbr->f0.y, pbr->f90, fresnel),
+                                zr_schlick_v(pbr->f0.z, pbr->f90, fresnel)};
+    const struct zr_vec3_v reflected = zr_add_v(zr_scale_v(f, specular), zr_scale_v(pbr->diffuse, entering));
     return zr_scale_v(zr_mul_v(zr_spread_v(color), reflected), nl * share);
 }
 
