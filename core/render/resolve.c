@@ -164,9 +164,10 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
     const bool points = zr_visible_points_are_wanted(frame);
     if (frame->depth || frame->owners || points) zr_halfspace_of(isa)->flush(tile); /* these read every sample */
     if (frame->owners) copy_owners(tile, frame);
-    if (points)
-        zr_visible_points_tile(geometry, zr_eye_depths_of(isa), paint->ends,
-                               zr_view_space(frame->view, ZR_CHANNEL_POSITION), tile, frame);
+    if (points) {
+        const struct zr_depths_of of = {geometry, zr_eye_depths_of(isa), zr_eye_points_of(isa), paint->ends};
+        zr_visible_points_tile(&of, zr_view_space(frame->view, ZR_CHANNEL_POSITION), tile, frame);
+    }
     if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
     if (frame->base) {
         const float deepest = resolve_base_runs(paint, tile, frame, lowest_pixel_of(frame, tile));

@@ -14,6 +14,11 @@ struct depths {
     const struct zr_eye_depths *kernel;
     uint32_t width, height;
 
+    /* The shares, beside the depths; NULL: not wanted. */
+    struct zr_eye_shares *shares;
+    const struct zr_eye_points *points;
+    const struct zr_eye_rays *rays;
+
     const struct zr_draw *draw; /* draw of the last primitive */
 
     /* Cached depths, followed by those of the queued triangles, which all belong to one instance. */
@@ -30,12 +35,19 @@ static void forget(struct depths *d)
 {
     memset(d->owners, 0, sizeof d->owners);
     d->depths[0] = zr_eye_depth_uncovered();
+    if (d->shares) d->shares[0] = zr_eye_shares_none();
     d->count = 1;
+}
+
+static void make_shares(struct depths *d, uint32_t count)
+{
+    if (d->shares) d->points->make(d->instance, d->corners, count, d->rays, d->shares + d->count);
 }
 
 static void make_waiting(struct depths *d)
 {
     const struct zr_window_vertex *vertices = d->geometry->vertices;
+    if (ZR_MUTANT(shares_of_turned_corners, true, false)) make_shares(d, d->waiting);
     for (uint32_t i = 0; i < d->waiting; i++) {
         const uint32_t *v = d->vertices[i];
         const zr_vec4 **corners = d->corners[i], *old = corners[0];
@@ -43,6 +55,7 @@ static void make_waiting(struct depths *d)
         corners[0] = corners[1];
         corners[1] = old;
     }
+    if (ZR_MUTANT(shares_of_turned_corners, false, true)) make_shares(d, d->waiting);
     d->kernel->make(d->instance, d->corners, d->waiting, d->width, d->height, d->depths + d->count);
     d->count += d->waiting;
     d->waiting = 0;
@@ -66,10 +79,28 @@ static void add_triangle(struct depths *d, const struct zr_source_instance *inst
 /* Makes the depth of a clipped triangle's piece. The queue is empty. */
 static void make_piece(struct depths *d, const struct zr_triangle *piece, const struct zr_source *source)
 {
-    struct zr_eye_depth *depth = &d->depths[d->count++];
+    struct zr_eye_depth *depth = &d->depths[d->count];
     memcpy(d->corners[0], source->corners, sizeof d->corners[0]);
+    d->instance = source->instance;
+    make_shares(d, 1);
+    d->count++;
     if (d->kernel->make(source->instance, d->corners, 1, d->width, d->height, depth) > 0)
         zr_eye_depth_take_piece(d->geometry, piece, depth);
+}
+
+/* Queues a triangle with the corners as its mesh gives them: rule 6's swap is undone. */
+static void add_as_given(struct depths *d, const struct zr_triangle *triangle, const struct zr_source *source)
+{
+    const int other = triangle->turned ? zr_swapped_corner() : 0;
+    uint32_t vertices[3];
+    const zr_vec4 *corners[3];
+    memcpy(vertices, triangle->v, sizeof vertices);
+    memcpy(corners, source->corners, sizeof corners);
+    vertices[0] = triangle->v[other];
+    vertices[other] = triangle->v[0];
+    corners[0] = source->corners[other];
+    corners[other] = source->corners[0];
+    add_triangle(d, source->instance, vertices, corners);
 }
 
 /* Adds a primitive that may be a line or a clipped piece. */
@@ -78,6 +109,7 @@ static void add_any(struct depths *d, uint32_t number)
     const struct zr_triangle triangle = zr_triangle_of(d->geometry, d->draw, number);
     if (triangle.line) {
         make_waiting(d);
+        if (d->shares) d->shares[d->count] = zr_eye_shares_none();
         d->depths[d->count++] = zr_eye_depth_of_line(d->geometry, &triangle);
         return;
     }
@@ -86,7 +118,7 @@ static void add_any(struct depths *d, uint32_t number)
         make_waiting(d);
         make_piece(d, &triangle, &source);
     } else {
-        add_triangle(d, source.instance, triangle.v, source.corners);
+        add_as_given(d, &triangle, &source);
     }
 }
 
@@ -125,6 +157,28 @@ static void find_runs(struct depths *d, const uint32_t *owners, uint64_t ends, s
     }
 }
 
+static void start(struct depths *d)
+{
+    d->draw = &d->geometry->draws[0];
+    d->instance = NULL;
+    d->waiting = 0;
+    forget(d);
+}
+
+/* Finds the runs of the band of rows from y on, and makes what they need. Returns the number of rows. */
+static int32_t find_band(struct depths *d, uint64_t (*ends)(const uint32_t *owners, int32_t width),
+                         const struct zr_tile *tile, int32_t y, struct zr_eye_runs runs[ZR_EYE_BAND])
+{
+    const int32_t rows = tile->height - y < ZR_EYE_BAND ? tile->height - y : ZR_EYE_BAND;
+    if (d->count + BAND_MOST > DEPTHS) forget(d);
+    for (int32_t row = 0; row < rows; row++) {
+        const uint32_t *owners = &tile->owner[(y + row) * ZR_TILE_STRIDE];
+        find_runs(d, owners, ends(owners, tile->width), &runs[row]);
+    }
+    make_waiting(d);
+    return rows;
+}
+
 float zr_depths_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
                      uint64_t (*ends)(const uint32_t *owners, int32_t width), uint32_t width, uint32_t height,
                      struct zr_tile *tile)
@@ -135,21 +189,34 @@ float zr_depths_tile(const struct zr_geometry *geometry, const struct zr_eye_dep
     d.kernel = kernel;
     d.width = width;
     d.height = height;
-    d.draw = &geometry->draws[0];
-    d.instance = NULL;
-    d.waiting = 0;
-    forget(&d);
+    d.shares = NULL;
+    start(&d);
     for (int32_t y = 0; y < tile->height; y += ZR_EYE_BAND) {
-        const int32_t rows = tile->height - y < ZR_EYE_BAND ? tile->height - y : ZR_EYE_BAND;
         struct zr_eye_runs runs[ZR_EYE_BAND];
-        if (d.count + BAND_MOST > DEPTHS) forget(&d);
-        for (int32_t row = 0; row < rows; row++) {
-            const uint32_t *owners = &tile->owner[(y + row) * ZR_TILE_STRIDE];
-            find_runs(&d, owners, ends(owners, tile->width), &runs[row]);
-        }
-        make_waiting(&d);
+        const int32_t rows = find_band(&d, ends, tile, y, runs);
         const float deep = kernel->fill(d.depths, runs, rows, tile->x, tile->y + y, &tile->depth[y * ZR_TILE_STRIDE]);
         deepest = deep > deepest ? deep : deepest;
     }
     return deepest;
+}
+
+void zr_depths_fill_points(const struct zr_depths_of *of, const struct zr_eye_rays *rays, const struct zr_tile *tile,
+                           const struct zr_eye_targets *to)
+{
+    struct depths d;
+    struct zr_eye_shares shares[DEPTHS];
+    d.geometry = of->geometry;
+    d.kernel = of->kernel;
+    d.width = (uint32_t)rays->width;
+    d.height = (uint32_t)rays->height;
+    d.shares = to->barycentrics ? shares : NULL;
+    d.points = of->points;
+    d.rays = rays;
+    start(&d);
+    for (int32_t y = 0; y < tile->height; y += ZR_EYE_BAND) {
+        struct zr_eye_runs runs[ZR_EYE_BAND];
+        const int32_t rows = find_band(&d, of->ends, tile, y, runs);
+        const struct zr_eye_band band = {d.depths, d.shares, runs, tile->x, tile->y + y, tile->width, rows};
+        of->points->fill(rays, &band, to, y);
+    }
 }

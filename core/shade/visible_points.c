@@ -5,6 +5,7 @@
 #include "base/matrix.h"
 #include "geometry/geometry.h"
 #include "scene/channels.h"
+#include "shade/depths.h"
 #include "shade/nocs.h"
 
 /* Values that all samples of a primitive share. */
@@ -199,13 +200,6 @@ struct sample {
     bool is_rim; /* the parts are of another point */
 };
 
-static void put_shares(const struct shown *shown, const double parts[3], float *out)
-{
-    const double all = (parts[0] * shown->w[0] + parts[1] * shown->w[1]) + parts[2] * shown->w[2];
-    for (int k = 0; k < 3; k++)
-        out[k] = shown->corners[0] && all != 0.0 ? (float)(parts[k] * shown->w[k] / all) : 0.0f;
-}
-
 /* Finds the inverse of the instance's matrix. False if it is flattened: the inverse is 0. */
 static bool has_inverse(struct points *points, const struct shown *shown)
 {
@@ -258,12 +252,6 @@ static void put_position(struct points *points, const struct shown *shown, const
         const bool is_nocs = space == ZR_SPACE_NOCS && placed[3] != 0.0;
         out[k] = (float)(is_nocs ? zr_nocs_of(points->frame->nocs, shown->instance->mesh, value, k) : value);
     }
-}
-
-static double length_from(zr_vec4 eye, const double point[4])
-{
-    const double x = point[0] - (double)eye.x, y = point[1] - (double)eye.y, z = point[2] - (double)eye.z;
-    return sqrt((x * x + y * y) + z * z);
 }
 
 /* Writes the mesh's own texture coordinates, linear over the corners' homogeneous points. */
@@ -367,33 +355,34 @@ static void put_flow(struct points *points, const struct shown *shown, const str
 
 /* ---- all channels ---- */
 
-static void put_sample(struct points *points, const struct shown *shown, double x, double y, size_t pixel)
+/* Channels of one sample at a time. */
+struct slow_channels {
+    float *position, *texcoord, *flow;
+};
+
+static void put_sample(struct points *points, const struct shown *shown, double x, double y,
+                       const struct slow_channels *to, size_t pixel)
 {
-    float *distance = points->frame->channels[ZR_CHANNEL_DISTANCE];
-    float *position = points->frame->channels[ZR_CHANNEL_POSITION];
-    float *shares = points->frame->channels[ZR_CHANNEL_BARYCENTRICS];
-    float *texcoord = points->frame->channels[ZR_CHANNEL_TEXCOORD];
-    float *flow = points->frame->channels[ZR_CHANNEL_FLOW];
     struct sample sample = {.is_rim = false};
-    const double depth = depth_at(shown, x, y);
-    eye_point(points, x, y, depth, sample.eye);
-    const bool is_parallel = ZR_MUTANT(distance_is_depth, points->eye.w == 0.0f, true);
-    if (distance) distance[pixel] = (float)(is_parallel ? depth : length_from(points->eye, sample.eye));
+    eye_point(points, x, y, depth_at(shown, x, y), sample.eye);
     if (shown->corners[0]) sample.is_rim = !find_parts(shown, x, y, sample.parts);
-    if (position) put_position(points, shown, &sample, position + 3 * pixel);
-    if (shares) put_shares(shown, sample.parts, shares + 3 * pixel);
-    if (texcoord) put_texcoord(shown, sample.parts, texcoord + 2 * pixel);
-    if (flow) put_flow(points, shown, &sample, x, y, flow + 3 * pixel);
+    if (to->position) put_position(points, shown, &sample, to->position + 3 * pixel);
+    if (to->texcoord) put_texcoord(shown, sample.parts, to->texcoord + 2 * pixel);
+    if (to->flow) put_flow(points, shown, &sample, x, y, to->flow + 3 * pixel);
 }
 
-static void put_clear_values(const struct zr_frame *frame, size_t pixel)
+static void put_clear_value(float *out, enum zr_channel channel, size_t pixel)
 {
-    for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
-        const struct zr_channel_row *row = &zr_channel_rows[c];
-        uint32_t *words = row->of_points ? frame->channels[c] : NULL;
-        for (uint32_t k = 0; words && k < row->words; k++)
-            words[pixel * row->words + k] = row->clear_value;
-    }
+    const struct zr_channel_row *row = &zr_channel_rows[channel];
+    for (uint32_t k = 0; out && k < row->words; k++)
+        memcpy(out + pixel * row->words + k, &row->clear_value, sizeof *out);
+}
+
+static void put_clear_values(const struct slow_channels *to, size_t pixel)
+{
+    put_clear_value(to->position, ZR_CHANNEL_POSITION, pixel);
+    put_clear_value(to->texcoord, ZR_CHANNEL_TEXCOORD, pixel);
+    put_clear_value(to->flow, ZR_CHANNEL_FLOW, pixel);
 }
 
 bool zr_visible_points_are_wanted(const struct zr_frame *frame)
@@ -428,29 +417,74 @@ void zr_visible_point_find(const struct zr_geometry *geometry, const struct zr_e
     put_position(&points, shown, &sample, position);
 }
 
-void zr_visible_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
-                            uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
-                            const struct zr_tile *tile, const struct zr_frame *frame)
+/* ---- tiles ---- */
+
+static void put_samples(struct points *points, uint64_t (*ends)(const uint32_t *owners, int32_t width),
+                        const struct zr_tile *tile, const struct slow_channels *to)
 {
-    struct points points = points_of(geometry, kernel, position, frame), target;
-    if (frame->flow) {
-        target = points_of(frame->flow->geometry, kernel, ZR_SPACE_WORLD, frame->flow->frame);
-        points.target = &target;
-    }
-    points.wants_shares = frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD] ||
-                          position >= ZR_SPACE_OBJECT || frame->flow;
+    const struct zr_frame *frame = points->frame;
     for (int32_t y = 0; y < tile->height; y++) {
         const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
         const size_t first = (size_t)(frame->height - 1 - (uint32_t)(tile->y + y)) * frame->width + (size_t)tile->x;
         int32_t begin = 0, end;
         for (uint64_t bits = ends(owners, tile->width); bits; bits &= bits - 1, begin = end) {
-            const struct shown *shown = owners[begin] > 0 ? shown_of(&points, owners[begin]) : NULL;
+            const struct shown *shown = owners[begin] > 0 ? shown_of(points, owners[begin]) : NULL;
             end = __builtin_ctzll(bits) + 1;
             for (int32_t x = begin; x < end; x++)
                 if (shown)
-                    put_sample(&points, shown, (double)(tile->x + x), (double)(tile->y + y), first + (size_t)x);
+                    put_sample(points, shown, (double)(tile->x + x), (double)(tile->y + y), to, first + (size_t)x);
                 else
-                    put_clear_values(frame, first + (size_t)x);
+                    put_clear_values(to, first + (size_t)x);
         }
     }
+}
+
+static struct zr_eye_rays rays_of(const struct points *points)
+{
+    const struct zr_frame *frame = points->frame;
+    const enum zr_space space = ZR_MUTANT(positions_of_the_camera, points->space, ZR_SPACE_CAMERA);
+    struct zr_eye_rays rays = {.width = (double)frame->width,
+                               .height = (double)frame->height,
+                               .projection = points->projection,
+                               .to_world = points->to_world,
+                               .eye = {(double)points->eye.x, (double)points->eye.y, (double)points->eye.z},
+                               .is_parallel = ZR_MUTANT(distance_is_depth, points->eye.w == 0.0f, true),
+                               .is_in_camera = space == ZR_SPACE_CAMERA,
+                               .has_origin = points->space == ZR_SPACE_WORLD && frame->origin};
+    if (rays.has_origin) memcpy(rays.origin, frame->origin, sizeof rays.origin);
+    return rays;
+}
+
+/* Returns a channel's pixel at the lower left of the tile. */
+static float *lowest_pixel_of(const struct zr_frame *frame, const struct zr_tile *tile, enum zr_channel channel)
+{
+    float *out = frame->channels[channel];
+    const size_t row = frame->height - 1 - (uint32_t)tile->y;
+    return out ? out + (row * frame->width + (size_t)tile->x) * zr_channel_rows[channel].words : NULL;
+}
+
+void zr_visible_points_tile(const struct zr_depths_of *of, enum zr_space position, const struct zr_tile *tile,
+                            const struct zr_frame *frame)
+{
+    struct points points = points_of(of->geometry, of->kernel, position, frame), target;
+    const bool is_of_mesh = position >= ZR_SPACE_OBJECT;
+    struct zr_eye_targets fast = {.distance = lowest_pixel_of(frame, tile, ZR_CHANNEL_DISTANCE),
+                                  .position = lowest_pixel_of(frame, tile, ZR_CHANNEL_POSITION),
+                                  .barycentrics = lowest_pixel_of(frame, tile, ZR_CHANNEL_BARYCENTRICS),
+                                  .stride = -(ptrdiff_t)frame->width};
+    const struct slow_channels slow = {.position = is_of_mesh ? frame->channels[ZR_CHANNEL_POSITION] : NULL,
+                                       .texcoord = frame->channels[ZR_CHANNEL_TEXCOORD],
+                                       .flow = frame->channels[ZR_CHANNEL_FLOW]};
+    if (is_of_mesh) fast.position = NULL;
+    if (fast.distance || fast.position || fast.barycentrics) {
+        const struct zr_eye_rays rays = rays_of(&points);
+        zr_depths_fill_points(of, &rays, tile, &fast);
+    }
+    if (!slow.position && !slow.texcoord && !slow.flow) return;
+    if (slow.flow) {
+        target = points_of(frame->flow->geometry, of->kernel, ZR_SPACE_WORLD, frame->flow->frame);
+        points.target = &target;
+    }
+    points.wants_shares = true;
+    put_samples(&points, of->ends, tile, &slow);
 }

@@ -12,17 +12,17 @@
 
 #include "geometry/geometry.h"
 #include "raster/tile.h"
+#include "shade/depths.h"
 #include "shade/eye_depth.h"
 #include "shade/frame.h"
 
 /* Returns true if the frame has one of the channels. */
 bool zr_visible_points_are_wanted(const struct zr_frame *frame);
 
-/* Writes the tile's part of those four channels that the frame has. All samples of the tile are written. `ends`: as in
- * struct zr_paint. `position`: space of the channel position. */
-void zr_visible_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
-                            uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
-                            const struct zr_tile *tile, const struct zr_frame *frame);
+/* Writes the tile's part of those channels that the frame has. All samples of the tile are written. `position`: space of
+ * the channel position. */
+void zr_visible_points_tile(const struct zr_depths_of *of, enum zr_space position, const struct zr_tile *tile,
+                            const struct zr_frame *frame);
 
 /* Intersects the ray of sample x, y (from the window's lower left) with primitive `owner` - 1, covered or not. Writes
  * the depth in scene units and the point in world space. */

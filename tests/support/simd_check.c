@@ -238,6 +238,8 @@ static void want_doubles(const struct simd_inputs *in, struct simd_results *want
     want->vd_set[k] = in->a[k - k % want->doubles];
     want->vd_min[k] = a < b ? in->a[k] : in->b[k];
     want->vd_max[k] = a > b ? in->a[k] : in->b[k];
+    want->vd_sqrt[k] = (float)sqrt(a);
+    want->vd_select_zero[k] = (float)(b == 0.0 ? a - b : a);
     want->vd_lost[k] = (float)(a * b - (double)(in->a[k] * in->b[k]));
     want->vd_div[k] = (float)((a + 1.0) / b);
     want->vd_store[k] = (float)(a - b);
@@ -309,6 +311,8 @@ static const struct result results[] = {EXACT(vf_set),
                                         RESULT(vd_set, true),
                                         RESULT(vd_min, true),
                                         RESULT(vd_max, true),
+                                        RESULT(vd_sqrt, true),
+                                        RESULT(vd_select_zero, true),
                                         RESULT(vd_lost, true),
                                         RESULT(vd_div, true),
                                         RESULT(vd_store, true),

@@ -189,6 +189,8 @@ static void run_doubles(const struct simd_inputs *in, struct simd_results *out, 
     zr_vd_narrow(out->vd_set + k, zr_vd_set((double)in->a[k]));
     zr_vd_narrow(out->vd_min + k, zr_vd_min(a, b));
     zr_vd_narrow(out->vd_max + k, zr_vd_max(a, b));
+    zr_vd_narrow(out->vd_sqrt + k, zr_vd_sqrt(a));
+    zr_vd_narrow(out->vd_select_zero + k, zr_vd_select_zero(b, a - b, a));
     zr_vd_narrow(out->vd_lost + k, a * b - zr_vd_widen(products));
     zr_vd_narrow(out->vd_div + k, (a + zr_vd_set(1.0)) / b);
     zr_vd_narrow(out->vd_gather + k, zr_vd_gather(in->doubles, (const int32_t *)in->order + k));

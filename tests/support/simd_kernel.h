@@ -65,6 +65,7 @@ struct simd_results {
     int32_t vi_list_bits[SIMD_COUNT];     /* of m, from order of a vector's lane 0 on; 0 behind those */
     int32_t vi_listed[SIMD_COUNT];
     /* In double, as floats. lost: what a product of floats would lose. set: lane 0 of all ZR_DOUBLES. */
+    float vd_sqrt[SIMD_COUNT], vd_select_zero[SIMD_COUNT];
     float vd_set[SIMD_COUNT], vd_min[SIMD_COUNT], vd_max[SIMD_COUNT], vd_lost[SIMD_COUNT], vd_div[SIMD_COUNT];
     float vd_store[SIMD_COUNT], vd_gather[SIMD_COUNT]; /* doubles[order] */
     int32_t strayed[SIMD_COUNT];                       /* not 0: a store_first wrote beside its lanes */

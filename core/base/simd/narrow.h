@@ -77,6 +77,7 @@ static inline void zr_vd_narrow(float *p, zr_vd v)
 
 ZR_UNARY(zr_vf, zr_vf_abs, zr_vf, float, fabsf)
 ZR_UNARY(zr_vf, zr_vf_sqrt, zr_vf, float, sqrtf)
+ZR_UNARY(zr_vd, zr_vd_sqrt, zr_vd, double, sqrt)
 
 static inline zr_vf zr_vf_bits(zr_vi a)
 {
@@ -208,6 +209,7 @@ ZR_BINARY(zr_vf, zr_vf_max, zr_vf, __m128, _mm_max_ps)
 ZR_UNARY(zr_vf, zr_vf_sqrt, zr_vf, __m128, _mm_sqrt_ps)
 ZR_UNARY(zr_vi, zr_vi_round, zr_vf, __m128, _mm_cvtps_epi32)
 ZR_UNARY(uint32_t, zr_vm_bits, zr_vm, __m128, _mm_movemask_ps)
+ZR_UNARY(zr_vd, zr_vd_sqrt, zr_vd, __m128d, _mm_sqrt_pd)
 ZR_BINARY(zr_vd, zr_vd_min, zr_vd, __m128d, _mm_min_pd)
 ZR_BINARY(zr_vd, zr_vd_max, zr_vd, __m128d, _mm_max_pd)
 ZR_BINARY(zr_vp, zr_vp_pack, zr_vi, __m128i, _mm_packs_epi32)
@@ -256,6 +258,7 @@ static inline void zr_vi_stream(void *p, zr_vi v)
 #if defined ZR_KERNEL_NEON
 
 ZR_UNARY(zr_vf, zr_vf_sqrt, zr_vf, float32x4_t, vsqrtq_f32)
+ZR_UNARY(zr_vd, zr_vd_sqrt, zr_vd, float64x2_t, vsqrtq_f64)
 ZR_UNARY(zr_vi, zr_vi_round, zr_vf, float32x4_t, vcvtnq_s32_f32)
 ZR_BINARY(zr_vi, zr_vi_min, zr_vi, int32x4_t, vminq_s32)
 ZR_BINARY(zr_vi, zr_vi_max, zr_vi, int32x4_t, vmaxq_s32)

@@ -63,7 +63,8 @@
  *   zr_vp_cross(a, b)                  a.x b.y - a.y b.x as int32_t; undefined if a half is -32768
  *
  * Doubles:
- *   zr_vd_set(a), zr_vd_store(p, v), zr_vd_min(a, b), zr_vd_max(a, b)       as those of floats
+ *   zr_vd_set(a), zr_vd_store(p, v), zr_vd_min(a, b), zr_vd_max(a, b), zr_vd_sqrt(a)       as those of floats
+ *   zr_vd_select_zero(v, a, b)         a in lanes where v is 0, b in the others
  *   zr_vd_widen(p), zr_vd_narrow(p, v) ZR_DOUBLES floats from p on, to p on
  *   zr_vd_gather(p, i)                 p[i[k]]; i points to ZR_DOUBLES int32_t
  */

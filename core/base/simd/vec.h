@@ -108,6 +108,20 @@ static inline zr_vf zr_vf_abs(zr_vf a)
 }
 #endif
 
+#if ZR_LANES == 1
+static inline zr_vd zr_vd_select_zero(zr_vd v, zr_vd a, zr_vd b)
+{
+    return v == 0.0 ? a : b;
+}
+#else
+static inline zr_vd zr_vd_select_zero(zr_vd v, zr_vd a, zr_vd b)
+{
+    typedef int64_t bits ZR_VECTOR;
+    const bits zero = (bits)(v == (zr_vd){0});
+    return (zr_vd)(((bits)a & zero) | ((bits)b & ~zero));
+}
+#endif
+
 /* Two floats from p and two from q; neither need be aligned as uint64_t is. */
 typedef float zr_four_floats __attribute__((vector_size(16)));
 static inline zr_four_floats zr_load_pair(const float *p, const float *q)
