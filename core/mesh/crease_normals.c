@@ -3,6 +3,9 @@
 #include "base/run.h"
 #include "base/trig.h"
 #include "mesh/blended_normals.h"
+#include "mesh/crease_chains.h"
+#include "mesh/crease_fans.h"
+#include "mesh/crease_sums.h"
 #include "mesh/weld.h"
 #include "mesh/weld_input.h"
 
@@ -23,6 +26,7 @@ struct creasing {
     uint32_t *counts; /* vertex_count per chunk; later the slot of the next corner of each vertex */
     uint32_t *slots;
     uint32_t *groups; /* smoothing group of each corner, or NULL */
+    uint8_t *bent;    /* by vertex; NULL: no fans */
     float cosine;     /* of the crease angle, with a tolerance */
     zr_vec4 *corners;
 };
@@ -130,7 +134,7 @@ static void sum_groups(const struct creasing *c, uint32_t *slots, uint32_t count
         for (end = first; end < count && c->groups[slots[end]] == group; end++)
             if (group == 0) c->corners[slots[end]].w = 0.0f;
         const uint32_t own = end - first;
-        const struct zr_vertex_corners of = {&own, slots + first};
+        const struct zr_vertex_corners of = {&own, slots + first, NULL};
         if (group != 0) zr_crease_sums_of(c->isa)(&of, 0, 1, LEAST_OF_GROUPS, c->corners);
     }
 }
@@ -148,50 +152,17 @@ static void sum_groups_of_vertices(void *context, size_t begin, size_t end)
 
 /* ---- sums ---- */
 
-/* Computes the normals. After the sort, the last chunk's counts are the ends of the vertices' lists. */
+/* After the sort, the last chunk's counts are the ends of the vertices' lists. */
+static struct zr_vertex_corners corners_of(const struct creasing *c)
+{
+    return (struct zr_vertex_corners){c->counts + (size_t)(c->chunk_count - 1) * c->vertex_count, c->slots, c->bent};
+}
+
 static void make_sums(void *context, size_t begin, size_t end)
 {
     const struct creasing *c = context;
-    const struct zr_vertex_corners of = {c->counts + (size_t)(c->chunk_count - 1) * c->vertex_count, c->slots};
+    const struct zr_vertex_corners of = corners_of(c);
     if (!zr_is_cancelled(c->cancel)) zr_crease_sums_of(c->isa)(&of, begin, end, c->cosine, c->corners);
-}
-
-static uint32_t step_of(float along, float largest)
-{
-    const float half = ZR_CREASE_GROUPS_PER_SIDE / 2;
-    const uint32_t step = (uint32_t)((along / largest + 1.0f) * half);
-    return step < ZR_CREASE_GROUPS_PER_SIDE ? step : ZR_CREASE_GROUPS_PER_SIDE - 1;
-}
-
-/* Returns the square, on the sides of a cube, through which a direction points. */
-static uint32_t group_of(const zr_vec4 *n)
-{
-    const float at[5] = {n->x, n->y, n->z, n->x, n->y};
-    int axis = fabsf(n->y) > fabsf(n->x) ? 1 : 0;
-    if (fabsf(n->z) > fabsf(at[axis])) axis = 2;
-    const uint32_t side = 2 * (uint32_t)axis + (at[axis] < 0.0f);
-    const float largest = fabsf(at[axis]);
-    return (side * ZR_CREASE_GROUPS_PER_SIDE + step_of(at[axis + 1], largest)) * ZR_CREASE_GROUPS_PER_SIDE +
-           step_of(at[axis + 2], largest);
-}
-
-uint32_t zr_crease_groups(const zr_vec4 *corners, const uint32_t *slots, uint32_t count,
-                          struct zr_crease_source groups[ZR_CREASE_GROUPS])
-{
-    zr_vec3 sums[ZR_CREASE_GROUPS] = {{0, 0, 0}};
-    for (uint32_t i = 0; i < count; i++) {
-        const zr_vec4 *corner = &corners[slots[i]];
-        if (!(corner->w > 0.0f)) continue;
-        zr_vec3 *sum = &sums[group_of(corner)];
-        *sum = zr_vec3_add(*sum, zr_vec3_scale((zr_vec3){corner->x, corner->y, corner->z}, corner->w));
-    }
-    uint32_t group_count = 0;
-    for (uint32_t g = 0; g < ZR_CREASE_GROUPS; g++) {
-        const zr_vec3 sum = sums[g], unit = zr_vec3_normalize(sum);
-        if (sum.x == 0.0f && sum.y == 0.0f && sum.z == 0.0f) continue;
-        groups[group_count++] = (struct zr_crease_source){{unit.x, unit.y, unit.z, 0}, {sum.x, sum.y, sum.z, 0}};
-    }
-    return group_count;
 }
 
 /* ---- the whole step ---- */
@@ -235,6 +206,7 @@ struct rooms {
     zr_vec4 *positions;
     uint64_t *rest;
     uint32_t *vertices;
+    uint8_t *bent;
 };
 
 static void find_rooms(struct zr_arena *arena, const struct zr_mesh_extent *extent, const struct creasing *c,
@@ -244,13 +216,26 @@ static void find_rooms(struct zr_arena *arena, const struct zr_mesh_extent *exte
     const size_t welding = zr_weld_room(c->mesh.position_count) * sizeof(uint64_t);
     const size_t sorting = (c->chunk_count * positions + c->corner_count) * sizeof(uint32_t);
     const size_t rest = larger(welding, sorting + sorting % sizeof(uint64_t));
-    const size_t groups = c->mesh.face_groups ? c->corner_count : 0;
-    rooms->size = copied + rest + (positions + groups) * sizeof(uint32_t);
+    const size_t groups = c->mesh.face_groups ? c->corner_count : 0, vertices = (positions + groups) * sizeof(uint32_t);
+    rooms->size = copied + rest + vertices + positions;
     rooms->all = zr_arena_alloc(arena, rooms->size, 1);
     if (!rooms->all) return;
     rooms->positions = (zr_vec4 *)(void *)rooms->all;
     rooms->rest = (uint64_t *)(void *)(rooms->all + copied);
     rooms->vertices = (uint32_t *)(void *)(rooms->all + copied + rest);
+    rooms->bent = (uint8_t *)(rooms->all + copied + rest + vertices);
+}
+
+static void smooth_fans(const struct zr_run *run, const struct creasing *c, float diagonal)
+{
+    const struct zr_corner_mesh mesh = {.mesh = &c->mesh,
+                                        .vertices = c->vertices,
+                                        .vertex_count = c->vertex_count,
+                                        .of = corners_of(c),
+                                        .cosine = c->cosine,
+                                        .diagonal = diagonal,
+                                        .corners = c->corners};
+    if (c->vertex_count > 0) zr_crease_fans_apply(run, &mesh);
 }
 
 /* Makes those of a mesh that is not sectioned. */
@@ -275,9 +260,11 @@ static zr_vec4 *make(const struct zr_run *run, const struct zr_mesh *mesh, float
     c.slots = (uint32_t *)(void *)rooms.rest;
     c.counts = c.slots + corner_count;
     c.groups = mesh->face_groups ? rooms.vertices + mesh->position_count : NULL;
+    c.bent = !c.groups && zr_crease_degrees_allow_noise(degrees) ? rooms.bent : NULL;
     if (c.vertex_count > 0) make_normals(run->team, &c);
+    if (c.bent && !zr_is_cancelled(run->cancel)) smooth_fans(run, &c, input.diagonal);
     zr_arena_trim(run->arena, rooms.all, rooms.size, 0, 1);
-    return c.corners;
+    return zr_arena_ok(run->arena) ? c.corners : NULL;
 }
 
 zr_vec4 *zr_crease_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, float degrees)

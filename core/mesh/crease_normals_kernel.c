@@ -1,7 +1,8 @@
 #include "base/prefetch.h"
 #include "base/simd/simd.h"
 #include "base/vec3_simd.h"
-#include "mesh/crease_normals.h"
+#include "mesh/crease_groups.h"
+#include "mesh/crease_sums.h"
 #include "mesh/face_normals.h"
 
 /* Returns atan2(y, x) for y >= 0: 0 .. pi, within 1e-6; 0 for (0, 0). Source: the Chebyshev series of the arc tangent,
@@ -157,41 +158,47 @@ void ZR_KERNEL(zr_crease_corners)(const struct zr_mesh *mesh, uint32_t first, si
 
 /* ---- sums ---- */
 
+/* Sets *is_bent if some sources do not count in all lanes. */
 static inline struct zr_vec3_v sum_of(struct zr_vec3_v unit, const struct zr_crease_source *sources, uint32_t count,
-                                      float cosine)
+                                      float cosine, bool *is_bent)
 {
     const zr_vf zero = zr_vf_set(0.0f);
     const zr_vm has_no_unit = zr_vf_eq(zr_dot_v(unit, unit), zero);
     const zr_vf least = zr_vf_select(has_no_unit, zr_vf_set(-4.0f), zr_vf_set(cosine));
     struct zr_vec3_v sum = {zero, zero, zero};
+    zr_vm all = ZR_ALL_LANES;
     for (uint32_t j = 0; j < count; j++) {
         const zr_vec4 *n = &sources[j].normal, *s = &sources[j].sum;
         const struct zr_vec3_v other = {zr_vf_set(n->x), zr_vf_set(n->y), zr_vf_set(n->z)};
         const zr_vm within = zr_vf_le(least, zr_dot_v(unit, other));
+        all = zr_vm_and(all, within);
         sum.x = sum.x + zr_vf_select(within, zr_vf_set(s->x), zero);
         sum.y = sum.y + zr_vf_select(within, zr_vf_set(s->y), zero);
         sum.z = sum.z + zr_vf_select(within, zr_vf_set(s->z), zero);
     }
+    *is_bent = zr_vm_bits(all) != ZR_ALL_BITS;
     return sum;
 }
 
-/* Writes the normals of ZR_LANES corners, or of `count` if that is less. */
-static inline void put_sums(const uint32_t *slots, uint32_t count, const struct zr_crease_source *sources,
+/* Writes the normals of ZR_LANES corners, or of `count` if that is less. Returns true if some sources do not count. */
+static inline bool put_sums(const uint32_t *slots, uint32_t count, const struct zr_crease_source *sources,
                             uint32_t source_count, float cosine, zr_vec4 *corners)
 {
     struct zr_vec3_v unit;
     zr_vf weight, length;
     zr_vec4 normals[ZR_LANES];
+    bool is_bent;
 #define CORNER(i) (&corners[slots[(uint32_t)(i) < count ? (uint32_t)(i) : count - 1]].x)
     ZR_LOAD4(unit.x, unit.y, unit.z, weight, CORNER);
 #undef CORNER
     (void)weight;
-    const struct zr_vec3_v normal = split(sum_of(unit, sources, source_count, cosine), &length);
+    const struct zr_vec3_v normal = split(sum_of(unit, sources, source_count, cosine, &is_bent), &length);
     const zr_vf zero = zr_vf_set(0.0f);
     const struct zr_vec3_v chosen = zr_choose_v(zr_vf_eq(length, zero), unit, normal);
     zr_vf_store4((float *)normals, chosen.x, chosen.y, chosen.z, zero);
     for (uint32_t i = 0; i < ZR_LANES && i < count; i++)
         zr_four_store(&corners[slots[i]], zr_four_load(&normals[i]));
+    return is_bent;
 }
 
 static inline void list_sources(const zr_vec4 *corners, const uint32_t *slots, uint32_t count,
@@ -229,12 +236,18 @@ void ZR_KERNEL(zr_crease_sums)(const struct zr_vertex_corners *of, size_t begin,
         first += count;
         for (; prefetched < last && prefetched < first + CORNERS_AHEAD; prefetched++)
             zr_prefetch_written(&corners[of->slots[prefetched]], 0, sizeof *corners);
+        bool is_bent = false;
+        if (of->bent) of->bent[vertex] = 0;
         if (count > ZR_CREASE_EXACT) {
             put_crowd(slots, count, cosine, corners);
             continue;
         }
         list_sources(corners, slots, count, sources);
         for (uint32_t i = 0; i < count; i += ZR_LANES)
-            put_sums(slots + i, count - i, sources, count, cosine, corners);
+            is_bent |= put_sums(slots + i, count - i, sources, count, cosine, corners);
+        if (!is_bent || !of->bent || count > ZR_FAN_CORNERS_MOST) continue;
+        of->bent[vertex] = 1;
+        for (uint32_t i = 0; i < count; i++)
+            corners[slots[i]] = sources[i].normal;
     }
 }
