@@ -500,6 +500,12 @@ bench-python: ## the Python package beside the same calls in C, and two threads 
 	@$(MAKE) -s -j$(JOBS) library $(BUILD)/tests/bench/alone/library_draw
 	@ROUNDS="$(or $(ROUNDS),31)" $(PYTHON) tests/bench/python/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
 
+.PHONY: bench-surfaces
+bench-surfaces: ## looks of 16 samples a pixel beside 64, which light each sample: RMS in steps of 255; ARGS="--against DIR"
+	@.ci/need $(NEED_BUILD) /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/numpy=python3-numpy
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
+	@/usr/bin/python3 tests/bench/python/surfaces.py $(ARGS) $(BUILD) $(BUILD)/surfaces $(addprefix $(DATA)/models/,stanford-bunny.obj parts/gear.obj parts/housing.obj beetle.obj suzanne.obj spot.obj)
+
 .PHONY: bench-datasets
 bench-datasets: ## data sets of BOP beside the library alone, which drops the same outputs: VIEWS=1000 FOLDER=
 	@.ci/need $(NEED_BUILD) $(PYTHON)=python3

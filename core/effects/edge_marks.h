@@ -13,6 +13,7 @@
 #include "base/isa.h"
 #include "base/run.h"
 #include "base/team.h"
+#include "effects/edges.h"
 #include "raster/tile.h"
 #include "shade/draw_attributes.h"
 #include "shade/lights/gbuffer.h"
@@ -70,7 +71,8 @@ typedef struct zr_edge_bits zr_edge_pairs_fn(const struct zr_edge_rule *rule, co
                                              const struct zr_edge_line *b, int32_t count);
 
 /* Marks edges between neighbours within a tile, row by row. A kernel. */
-typedef void zr_edge_tile_fn(const struct zr_edge_rule *rule, const struct zr_gbuffer *tile, struct zr_edge_bits *rows);
+typedef void zr_edge_tile_fn(const struct zr_edge_rule *rule, const struct zr_gbuffer *tile,
+                             const struct zr_sample_pairs *pairs, struct zr_edge_bits *rows);
 
 ZR_KERNEL_TABLE(zr_edge_pairs_fn, zr_edge_pairs)
 ZR_KERNEL_TABLE(zr_edge_tile_fn, zr_edge_tile)

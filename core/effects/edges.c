@@ -106,10 +106,13 @@ static void keep_side(const struct zr_gbuffer *tile, ptrdiff_t at, ptrdiff_t ste
         }
 }
 
-void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t number, const struct zr_gbuffer *tile)
+void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t number, const struct zr_gbuffer *tile,
+                        const struct zr_sample_pairs *pairs)
 {
     struct zr_edge_bits bits[SIZE];
-    zr_edge_tile_of(isa)(&marks->rule, tile, bits);
+    struct zr_sample_pairs all;
+    if (!pairs) memset(&all, 0xFF, sizeof all);
+    zr_edge_tile_of(isa)(&marks->rule, tile, pairs ? pairs : &all, bits);
     for (int32_t y = 0; y < tile->height; y++) {
         const size_t word = word_of(marks, number, (uint32_t)y);
         marks->silhouettes[word] = bits[y].silhouettes;

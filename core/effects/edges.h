@@ -19,9 +19,15 @@
 #include "base/team.h"
 #include "core.h"
 #include "effects/occlusion.h"
+#include "raster/tile.h"
 #include "scene/effects.h"
 #include "shade/draw_attributes.h"
 #include "shade/lights/gbuffer.h"
+
+/* Pairs of neighbouring samples of a tile, a bit each: sample x of row y and the one to its right, or above. */
+struct zr_sample_pairs {
+    uint64_t along[ZR_TILE_SIZE], upwards[ZR_TILE_SIZE];
+};
 
 /* Marks of a picture of width x height pixels with side x side samples per pixel. Tiles are squares of ZR_TILE_SIZE
  * samples (raster/tile.h), numbered row by row from the lower left. */
@@ -40,9 +46,11 @@ float zr_edges_width_in(const struct zr_edges *edges, uint32_t width, uint32_t h
 bool zr_edges_set_faces(struct zr_edge_marks *marks, struct zr_arena *arena, const struct zr_geometry *geometry,
                         const struct zr_scene_attributes *attributes);
 
-/* Marks the edges within tile `number`, and keeps its sides for zr_edges_finish. Several threads may mark different
- * tiles. */
-void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t number, const struct zr_gbuffer *tile);
+/* Marks the edges within tile `number`, and keeps its sides for zr_edges_finish. All owners must be known. `pairs`:
+ * those that may form edges if both are covered; NULL: all. The values of their samples must be known, and of those at
+ * the tile's sides. Several threads may mark different tiles. */
+void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t number, const struct zr_gbuffer *tile,
+                        const struct zr_sample_pairs *pairs);
 
 /* Marks a tile without covered samples. */
 void zr_edges_mark_empty(struct zr_edge_marks *marks, uint32_t number);

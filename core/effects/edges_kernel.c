@@ -1,14 +1,13 @@
 #include "base/vec3_simd.h"
 #include "effects/edge_marks.h"
 
+struct pair {
+    const struct zr_edge_line *a, *b;
+};
+
 static inline struct zr_vec3_v load3(const float *const v[3], int32_t at)
 {
     return (struct zr_vec3_v){zr_vf_load(v[0] + at), zr_vf_load(v[1] + at), zr_vf_load(v[2] + at)};
-}
-
-static inline zr_vm is_uncovered(const struct zr_edge_line *line, int32_t at)
-{
-    return zr_vi_eq(zr_vi_load(line->owner + at), zr_vi_set(0));
 }
 
 static inline zr_vf depth_of(const struct zr_edge_rule *rule, struct zr_vec3_v p)
@@ -31,28 +30,24 @@ static inline void compare_faces(const struct zr_edge_rule *rule, const struct z
     *bent = zr_vm_and(are_faces, zr_vf_lt(zr_dot_v(n1, n2), zr_vf_set(rule->cosine)));
 }
 
-/* Compares ZR_LANES pairs from `at` on. */
-static inline void compare(const struct zr_edge_rule *rule, const struct zr_edge_line *a, const struct zr_edge_line *b,
-                           int32_t at, struct zr_edge_bits *bits)
+/* Compares those of ZR_LANES pairs from `at` on that are in `both`, whose samples are covered. */
+static inline void compare(const struct zr_edge_rule *rule, const struct pair *lines, int32_t at, uint64_t both,
+                           struct zr_edge_bits *bits)
 {
-    const uint32_t uncovered1 = zr_vm_bits(is_uncovered(a, at)), uncovered2 = zr_vm_bits(is_uncovered(b, at));
-    const uint32_t both = ~(uncovered1 | uncovered2) & (uint32_t)ZR_ALL_BITS;
-    uint32_t silhouettes = uncovered1 ^ uncovered2, creases = 0;
-    if (both) {
-        zr_vm apart, bent;
-        compare_faces(rule, a, b, at, &apart, &bent);
-        uint32_t steps = zr_vm_bits(apart) & both;
-        if (steps && rule->faces) steps = zr_edge_faces_apart(rule, a, b, at, steps);
-        if (rule->caps) {
-            const zr_vm same = zr_vi_eq(zr_vi_load(a->owner + at), zr_vi_load(b->owner + at));
-            const uint32_t pairs = both & ~zr_vm_bits(same);
-            if (pairs) steps |= zr_edge_caps_apart(rule, a, b, at, pairs);
-        }
-        silhouettes |= steps;
-        creases = zr_vm_bits(bent) & both & ~silhouettes;
+    const struct zr_edge_line *a = lines->a, *b = lines->b;
+    const uint32_t here = (uint32_t)(both >> at) & (uint32_t)ZR_ALL_BITS;
+    if (!here) return;
+    zr_vm apart, bent;
+    compare_faces(rule, a, b, at, &apart, &bent);
+    uint32_t steps = zr_vm_bits(apart) & here;
+    if (steps && rule->faces) steps = zr_edge_faces_apart(rule, a, b, at, steps);
+    if (rule->caps) {
+        const zr_vm same = zr_vi_eq(zr_vi_load(a->owner + at), zr_vi_load(b->owner + at));
+        const uint32_t pairs = here & ~zr_vm_bits(same);
+        if (pairs) steps |= zr_edge_caps_apart(rule, a, b, at, pairs);
     }
-    bits->silhouettes |= (uint64_t)silhouettes << at;
-    bits->creases |= (uint64_t)creases << at;
+    bits->silhouettes |= (uint64_t)steps << at;
+    bits->creases |= (uint64_t)(zr_vm_bits(bent) & here & ~steps) << at;
 }
 
 /* Copy of a line with fewer samples than lanes, padded with uncovered samples. */
@@ -75,19 +70,36 @@ static inline struct zr_edge_line copy_line(const struct zr_edge_line *line, int
     return out;
 }
 
-static inline struct zr_edge_bits compare_lines(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
-                                                const struct zr_edge_line *b, int32_t count)
+/* Returns the covered samples of the first `count` of a line. */
+static inline uint64_t covered(const struct zr_edge_line *line, int32_t count)
+{
+    uint64_t bits = 0;
+    for (int32_t at = 0; at < count; at += ZR_LANES) {
+        uint32_t owners[ZR_LANES] = {0};
+        const int32_t left = count - at < ZR_LANES ? count - at : ZR_LANES;
+        memcpy(owners, line->owner + at, (size_t)left * sizeof *owners);
+        bits |= (uint64_t)zr_vm_bits(zr_vi_lt(zr_vi_set(0), zr_vi_load(owners))) << at;
+    }
+    return bits;
+}
+
+/* Compares the pairs of `both`, of `count`. */
+static inline struct zr_edge_bits compare_lines(const struct zr_edge_rule *rule, const struct pair *lines,
+                                                int32_t count, uint64_t both)
 {
     struct zr_edge_bits bits = {0, 0};
+    if (!both) return bits;
     if (count >= ZR_LANES) {
         for (int32_t at = 0; at + ZR_LANES <= count; at += ZR_LANES)
-            compare(rule, a, b, at, &bits);
+            compare(rule, lines, at, both, &bits);
         /* The remaining pairs, with some that were compared before. */
-        if (count % ZR_LANES) compare(rule, a, b, count - ZR_LANES, &bits);
+        if (count % ZR_LANES) compare(rule, lines, count - ZR_LANES, both, &bits);
     } else if (count > 0) {
         struct short_line copies[2];
-        const struct zr_edge_line short_a = copy_line(a, count, &copies[0]), short_b = copy_line(b, count, &copies[1]);
-        compare(rule, &short_a, &short_b, 0, &bits);
+        const struct zr_edge_line a = copy_line(lines->a, count, &copies[0]),
+                                  b = copy_line(lines->b, count, &copies[1]);
+        const struct pair copied = {&a, &b};
+        compare(rule, &copied, 0, both, &bits);
     }
     return bits;
 }
@@ -95,7 +107,11 @@ static inline struct zr_edge_bits compare_lines(const struct zr_edge_rule *rule,
 struct zr_edge_bits ZR_KERNEL(zr_edge_pairs)(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
                                              const struct zr_edge_line *b, int32_t count)
 {
-    return compare_lines(rule, a, b, count);
+    const struct pair lines = {a, b};
+    const uint64_t of_a = covered(a, count), of_b = covered(b, count);
+    struct zr_edge_bits bits = compare_lines(rule, &lines, count, of_a & of_b);
+    bits.silhouettes |= of_a ^ of_b;
+    return bits;
 }
 
 static inline struct zr_edge_line line_at(const struct zr_gbuffer *tile, ptrdiff_t at)
@@ -108,20 +124,32 @@ static inline struct zr_edge_line line_at(const struct zr_gbuffer *tile, ptrdiff
     return line;
 }
 
-void ZR_KERNEL(zr_edge_tile)(const struct zr_edge_rule *rule, const struct zr_gbuffer *tile, struct zr_edge_bits *rows)
+void ZR_KERNEL(zr_edge_tile)(const struct zr_edge_rule *rule, const struct zr_gbuffer *tile,
+                             const struct zr_sample_pairs *pairs, struct zr_edge_bits *rows)
 {
+    const uint64_t neighbours = UINT64_MAX >> (ZR_TILE_SIZE - tile->width) >> 1;
+    struct zr_edge_line row = line_at(tile, 0);
+    uint64_t here = covered(&row, tile->width);
     struct zr_edge_bits from_below = {0, 0};
     for (int32_t y = 0; y < tile->height; y++) {
         const ptrdiff_t at = y * tile->stride;
-        const struct zr_edge_line row = line_at(tile, at), next = line_at(tile, at + 1);
-        const struct zr_edge_bits along = compare_lines(rule, &row, &next, tile->width - 1);
+        const struct zr_edge_line next = line_at(tile, at + 1), above = line_at(tile, at + tile->stride);
+        struct pair lines = {&row, &next};
+        struct zr_edge_bits along =
+            compare_lines(rule, &lines, tile->width - 1, here & here >> 1 & pairs->along[y] & neighbours);
+        along.silhouettes |= (here ^ here >> 1) & neighbours;
         struct zr_edge_bits upwards = {0, 0};
+        uint64_t there = 0;
         if (y + 1 < tile->height) {
-            const struct zr_edge_line above = line_at(tile, at + tile->stride);
-            upwards = compare_lines(rule, &row, &above, tile->width);
+            there = covered(&above, tile->width);
+            lines.b = &above;
+            upwards = compare_lines(rule, &lines, tile->width, here & there & pairs->upwards[y]);
+            upwards.silhouettes |= here ^ there;
         }
         rows[y].silhouettes = along.silhouettes | along.silhouettes << 1 | upwards.silhouettes | from_below.silhouettes;
         rows[y].creases = along.creases | along.creases << 1 | upwards.creases | from_below.creases;
         from_below = upwards;
+        row = above;
+        here = there;
     }
 }

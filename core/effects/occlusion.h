@@ -17,6 +17,7 @@
 #include "scene/camera/camera.h"
 #include "scene/effects.h"
 #include "shade/lights/gbuffer.h"
+#include "shade/sample_list.h"
 
 /* Points within this distance of a point's plane are on the same surface; relative to the diagonal. */
 #define ZR_OCCLUSION_PLANE 0.01f
@@ -51,6 +52,13 @@ typedef void zr_occlusion_samples_fn(const struct zr_occlusion_map *map, const s
                                      uint32_t side, int32_t tile_x, int32_t tile_y, float *out);
 
 ZR_KERNEL_TABLE(zr_occlusion_samples_fn, zr_occlusion_samples)
+
+/* Interpolates the occlusion at places of a list, with `side` samples per side of a pixel, whose values are a G-buffer
+ * of one row. May write 15 values more. */
+typedef void zr_occlusion_places_fn(const struct zr_occlusion_map *map, const struct zr_sample_list *list,
+                                    const struct zr_gbuffer *values, uint32_t side, float *out);
+
+ZR_KERNEL_TABLE(zr_occlusion_places_fn, zr_occlusion_places)
 
 /* ---- kernels of zr_occlusion_make ---- */
 

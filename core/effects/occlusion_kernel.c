@@ -335,3 +335,55 @@ void ZR_KERNEL(zr_occlusion_samples)(const struct zr_occlusion_map *map, const s
         }
     }
 }
+
+/* ---- from pixel centres to samples in any order ---- */
+
+/* Pixels on both sides of a coordinate, and the weight of each, per lane; as in zr_pixel_column_at. */
+struct beside {
+    zr_vi at[2];
+    zr_vf share[2];
+};
+
+static inline struct beside beside_of(zr_vf sample, uint32_t side, int32_t count)
+{
+    const zr_vf x = (sample + zr_vf_set(0.5f)) / zr_vf_set((float)side) - zr_vf_set(0.5f);
+    const zr_vi near = zr_vi_round(x), zero = zr_vi_set(0), last = zr_vi_set(count - 1);
+    const zr_vi before = zr_vi_select(zr_vf_lt(x, zr_vf_of(near)), near - zr_vi_set(1), near);
+    const zr_vf share = x - zr_vf_of(before);
+    return (struct beside){
+        {zr_vi_min(zr_vi_max(before, zero), last), zr_vi_min(zr_vi_max(before + zr_vi_set(1), zero), last)},
+        {zr_vf_set(1.0f) - share, share}};
+}
+
+/* zr_occlusion_between_v for lanes that are no neighbours. */
+static inline zr_vf between_any(const struct zr_occlusion_map *map, const struct beside *columns,
+                                const struct beside *rows, zr_vm where, struct zr_vec3_v point, struct zr_vec3_v normal)
+{
+    const zr_vf zero = zr_vf_set(0.0f);
+    zr_vf sum = zero, weights = zero;
+    for (int i = 0; i < 4; i++) {
+        const zr_vi at = rows->at[i >> 1] * zr_vi_set((int32_t)map->pixels->stride) + columns->at[i & 1];
+        const struct zr_vec3_v there = gather3(map->pixels->point, where, at);
+        const zr_vf light = zr_vf_bits(zr_vi_gather(where, map->light, at));
+        const zr_vf away = zr_dot_v(zr_minus_v(there, point), normal) * zr_vf_set(map->plane_scale);
+        const zr_vf bilinear = columns->share[i & 1] * rows->share[i >> 1];
+        const zr_vf weight = (bilinear + zr_vf_set(0.001f)) / (zr_vf_set(0.0001f) + away * away);
+        const zr_vm counts = zr_is_near_v(where, there.x);
+        sum = sum + zr_vf_select(counts, weight * light, zero);
+        weights = weights + zr_vf_select(counts, weight, zero);
+    }
+    return zr_vf_select(zr_vf_lt(zr_vf_set(1e-12f), weights), sum / weights, zr_vf_set(1.0f));
+}
+
+void ZR_KERNEL(zr_occlusion_places)(const struct zr_occlusion_map *map, const struct zr_sample_list *list,
+                                    const struct zr_gbuffer *values, uint32_t side, float *out)
+{
+    for (uint32_t i = 0; i < list->count; i += ZR_LANES) {
+        const struct beside columns = beside_of(zr_vf_load(list->x + i), side, map->pixels->width),
+                            rows = beside_of(zr_vf_load(list->y + i), side, map->pixels->height);
+        const struct zr_vec3_v point = load3(values->point, i), normal = load3(values->normal, i);
+        const zr_vm has_plane = zr_vf_lt_where(zr_vm_first(list->count - i), zr_vf_set(0.0f), zr_dot_v(normal, normal));
+        const zr_vf light = between_any(map, &columns, &rows, has_plane, point, normal);
+        zr_vf_store(out + i, zr_vf_select(has_plane, light, zr_vf_set(1.0f)));
+    }
+}

@@ -242,6 +242,8 @@ static enum zr_status draw_light(struct drawing *d)
     zr_linear_lighting_make(d->run->arena, d->scene, camera, bounds, shadows, &lighting);
     if (picture->has_ground_sun) desc.sun = ground_sun_of(d, shadows);
     STAGE(make_light(d, &light));
+    const struct zr_surface_rule rule = {zr_pixel_scale_of(camera, d->frame->height)};
+    if (picture->side == ZR_SURFACES_SIDE) stages.surfaces = &rule;
     if (picture->edges.is_on && !picture->edges.is_from_mesh) STAGE(begin_edges(d, &stages.edges));
     STAGE(draw_samples(d, &stages, &pass));
     if (status == ZR_OK && points_light) zr_eye_dome_apply(d->run, &pixels, points_light, light.color, light.stride);

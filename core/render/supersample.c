@@ -10,8 +10,8 @@
 #include "shade/models/xray.h"
 #include "shade/paint.h"
 
-/* Tiles per claim, as in tiles.c. */
-enum { TILES_PER_RANGE = 2 };
+/* Tiles per claim: as many as leave each thread RANGES claims. A claim touches each page of its stack. */
+enum { TILES_PER_RANGE = 2, TILES_PER_RANGE_MOST = 16, RANGES = 16 };
 
 /* State shared by the threads. */
 struct drawing {
@@ -72,7 +72,17 @@ struct lit_tile {
     float color[3][TILE_WORDS];
     uint32_t owner[TILE_WORDS], material[TILE_WORDS];
     struct zr_gbuffer_textures textures;
-    float texels[ZR_TEXTURE_VALUES][TILE_WORDS]; /* in the order of struct zr_gbuffer_textures */
+    union {
+        float texels[ZR_TEXTURE_VALUES][TILE_WORDS]; /* in the order of struct zr_gbuffer_textures */
+        struct zr_sample_room room;                  /* of tiles without textures, whose surfaces are lit */
+    };
+};
+
+struct lit_room {
+    struct lit_tile tile;
+    struct zr_surfaces surfaces;
+    struct zr_surface_pixels pixels;
+    struct zr_edge_samples edges;
 };
 
 static void point_at_texels(struct lit_tile *lit)
@@ -174,24 +184,95 @@ static uint32_t light_layers(const struct drawing *d, const struct zr_tile *tile
     return uncovered;
 }
 
+/* ---- light of surfaces ---- */
+
+static void light_rows(const struct drawing *d, const struct place *place, uint32_t y, struct zr_surfaces *surfaces)
+{
+    const struct zr_sample_stages *stages = d->stages;
+    const struct zr_linear_frame *to = stages->out;
+    const struct zr_gbuffer own = zr_surfaces_gbuffer(surfaces);
+    float *const color[3] = {surfaces->color[0], surfaces->color[1], surfaces->color[2]};
+    if (stages->occlusion)
+        zr_occlusion_places_of(d->isa)(stages->occlusion, &surfaces->list, &own, d->side, surfaces->occlusion);
+    zr_linear_light_of(d->isa)(stages->lighting, &own, stages->occlusion ? surfaces->occlusion : NULL, color);
+    for (int32_t row = 0; row < surfaces->rows; row++) {
+        const size_t at = (place->y + y + (uint32_t)row) * to->stride + place->x;
+        float *const out[4] = {to->color[0] + at, to->color[1] + at, to->color[2] + at, to->cover + at};
+        zr_surfaces_put(surfaces, row, out);
+    }
+}
+
+/* Finds the values of the listed samples and writes them to the tile's G-buffer. */
+static void put_samples(const struct drawing *d, struct lit_room *room, const struct zr_gbuffer *to)
+{
+    struct zr_edge_samples *samples = &room->edges;
+    struct zr_gbuffer values = zr_surfaces_gbuffer(&room->surfaces); /* whose memory they take */
+    values.material = NULL;
+    values.base[0] = NULL;
+    zr_samples_at_of(d->isa)(&d->pass->geometry, &d->pass->attributes, &samples->list, &room->tile.room, &values);
+    for (int k = 0; k < 3; k++)
+        for (uint32_t i = 0; i < samples->list.count; i++) {
+            to->normal[k][samples->place[i]] = values.normal[k][i];
+            to->point[k][samples->place[i]] = values.point[k][i];
+        }
+    samples->list.count = 0;
+}
+
+static void mark_edges(const struct drawing *d, uint32_t number, const struct zr_tile *tile, struct lit_room *room)
+{
+    const struct zr_gbuffer samples = gbuffer_of(&room->tile, tile, false);
+    struct zr_sample_pairs pairs;
+    zr_surfaces_ends_of(d->isa)(d->stages->surfaces, &room->pixels, &pairs);
+    room->edges.list.count = 0;
+    for (int32_t y = 0; y < tile->height; y++) {
+        zr_surfaces_list_row(&pairs, tile, samples.owner, y, &room->edges);
+        if (room->edges.list.count > ZR_SAMPLES_LISTED - ZR_TILE_SIZE) put_samples(d, room, &samples);
+    }
+    put_samples(d, room, &samples);
+    zr_edges_mark_tile(d->stages->edges, d->isa, number, &samples, &pairs);
+}
+
+/* Lights the surfaces of each pixel once. */
+static void light_surfaces(const struct drawing *d, uint32_t number, const struct zr_tile *tile, struct lit_room *room)
+{
+    const struct place place = place_of(d, tile);
+    const struct zr_pixel_rows owners = {.first = room->tile.owner, .stride = ZR_TILE_STRIDE};
+    struct zr_surfaces *surfaces = &room->surfaces;
+    d->paint->owners(tile, &owners);
+    for (int32_t y = 0; y < (int32_t)place.height; y += surfaces->rows) {
+        zr_surfaces_find_of(d->isa)(room->tile.owner, tile, y, surfaces);
+        const struct zr_gbuffer values = zr_surfaces_gbuffer(surfaces);
+        zr_samples_at_of(d->isa)(&d->pass->geometry, &d->pass->attributes, &surfaces->list, &room->tile.room, &values);
+        zr_surfaces_join_of(d->isa)(d->stages->surfaces, surfaces);
+        light_rows(d, &place, (uint32_t)y, surfaces);
+        if (d->stages->edges) zr_surfaces_keep(surfaces, y, &room->pixels);
+    }
+    if (d->stages->edges) mark_edges(d, number, tile, room);
+}
+
 /* Lights and averages a tile. Returns as light_layers. */
 static uint32_t light_tile(const struct drawing *d, uint32_t number, const struct zr_tile *tile,
-                           struct zr_layers *blended, struct lit_tile *lit)
+                           struct zr_layers *blended, struct lit_room *room)
 {
     const struct zr_sample_stages *stages = d->stages;
     const struct place place = place_of(d, tile);
+    struct lit_tile *lit = &room->tile;
     if (tile->is_empty) {
         clear_light(d, &place);
         if (stages->edges) zr_edges_mark_empty(stages->edges, number);
         return 0;
     }
+    if (stages->surfaces && !blended && !d->pass->attributes.textures.of) {
+        light_surfaces(d, number, tile, room);
+        return 0;
+    }
     const struct zr_gbuffer samples = gbuffer_of(lit, tile, d->pass->attributes.textures.of != NULL);
     d->paint->samples(&d->pass->geometry, &d->pass->attributes, tile, &samples);
+    if (stages->edges) zr_edges_mark_tile(stages->edges, d->isa, number, &samples, NULL);
     if (stages->occlusion)
         zr_occlusion_samples_of(d->isa)(stages->occlusion, &samples, d->side, tile->x, tile->y, lit->occlusion);
     float *const color[3] = {lit->color[0], lit->color[1], lit->color[2]};
     zr_linear_light_of(d->isa)(stages->lighting, &samples, stages->occlusion ? lit->occlusion : NULL, color);
-    if (stages->edges) zr_edges_mark_tile(stages->edges, d->isa, number, &samples);
     if (blended) return light_layers(d, tile, &place, blended, lit);
     average_light(d, &place, lit);
     return 0;
@@ -205,7 +286,7 @@ static void draw_range(void *context, size_t begin, size_t end)
     struct zr_tile tile = {0}; /* blending also reads samples outside the window */
     union {
         uint32_t words[ZR_TILE_SIZE * ZR_TILE_SIZE];
-        struct lit_tile lit;
+        struct lit_room lit;
     } room;
     uint64_t covered = 0;
     for (size_t number = begin; number < end; number++) {
@@ -222,6 +303,12 @@ static void draw_range(void *context, size_t begin, size_t end)
     atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
 }
 
+static size_t tiles_per_range(size_t tiles, int threads)
+{
+    const size_t wanted = tiles / ((size_t)threads * RANGES);
+    return wanted < TILES_PER_RANGE ? TILES_PER_RANGE : wanted > TILES_PER_RANGE_MOST ? TILES_PER_RANGE_MOST : wanted;
+}
+
 static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_frame *frame)
 {
     const uint32_t side = d->side;
@@ -229,7 +316,8 @@ static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_fr
     d->paint = zr_paint_of(d->isa);
     d->averages = zr_averages_of(d->isa);
     d->frame = frame;
-    zr_team_ranges(team, zr_tile_count(frame->width * side, frame->height * side), TILES_PER_RANGE, draw_range, d);
+    const size_t tiles = zr_tile_count(frame->width * side, frame->height * side);
+    zr_team_ranges(team, tiles, tiles_per_range(tiles, zr_team_size(team)), draw_range, d);
     if (zr_is_cancelled(d->cancel)) return ZR_CANCELLED;
     if (d->pass->tiles.layers && !zr_arena_ok(d->pass->tiles.layers->arena)) return ZR_NO_MEMORY;
     frame->covered_samples = d->covered;

@@ -12,6 +12,7 @@
 #include "base/run.h"
 #include "effects/edges.h"
 #include "effects/occlusion.h"
+#include "effects/surfaces.h"
 #include "render/pass.h"
 #include "shade/lights/lighting.h"
 
@@ -28,6 +29,7 @@ struct zr_sample_stages {
     const struct zr_linear_lighting *lighting;
     const struct zr_occlusion_map *occlusion; /* or NULL */
     struct zr_edge_marks *edges;              /* or NULL */
+    const struct zr_surface_rule *surfaces;   /* of 16 samples a pixel; NULL: each sample is lit */
     bool has_xrays;                           /* true if a material has the shading xray */
     struct zr_linear_frame *out;
 };

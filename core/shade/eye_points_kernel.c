@@ -189,7 +189,7 @@ struct row {
 ZR_INLINED void fill_some(const struct zr_eye_rays *rays, const struct zr_eye_band *band, const struct row *row,
                           int32_t i, bool alone, const struct zr_eye_targets *to)
 {
-    float columns[ZR_LANES], distance[ZR_LANES], position[3][ZR_LANES], shares[3][ZR_LANES];
+    float columns[ZR_LANES], distance[ZR_LANES] = {0}, position[3][ZR_LANES] = {{0}}, shares[3][ZR_LANES] = {{0}};
     const double y = (double)row->y;
     zr_vf_store(columns, zr_vf_of(zr_vi_set(row->x + i) + zr_vi_ramp()));
     for (int k = 0; k < ZR_LANES; k += ZR_DOUBLES) {

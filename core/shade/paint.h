@@ -42,6 +42,9 @@ struct zr_paint {
     void (*samples)(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                     const struct zr_tile *tile, const struct zr_gbuffer *to);
 
+    /* Writes the owners of a tile's samples, as `samples` does. */
+    void (*owners)(const struct zr_tile *tile, const struct zr_pixel_rows *out);
+
     /* Writes red, green, blue and opacity of a tile's samples, 0..1, in rows of ZR_TILE_STRIDE; uncovered samples get
      * 0. All blocks of the tile are written. */
     void (*floats)(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,

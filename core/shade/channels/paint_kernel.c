@@ -264,5 +264,5 @@ static void depths(const struct zr_tile *tile, const struct zr_pixel_rows *out)
 }
 
 const struct zr_paint ZR_KERNEL(zr_paint) = {
-    shade, samples, ZR_KERNEL(zr_paint_floats), ZR_KERNEL(zr_paint_opacity), blend, pack, depths, count, ends,
-    fill,  copy};
+    shade, samples, owner_words, ZR_KERNEL(zr_paint_floats), ZR_KERNEL(zr_paint_opacity), blend, pack, depths, count,
+    ends,  fill,    copy};

@@ -63,7 +63,7 @@ static void mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, int number, 
     if (tile.is_empty && skips_empty)
         zr_edges_mark_empty(marks, (uint32_t)number);
     else
-        zr_edges_mark_tile(marks, isa, (uint32_t)number, &tile.buffer);
+        zr_edges_mark_tile(marks, isa, (uint32_t)number, &tile.buffer, NULL);
     for (int k = 0; k < 7; k++)
         guarded_free(&tile.arrays[k]);
 }
