@@ -8,12 +8,14 @@
 
 struct zr_kept; /* input/scene/kept.h */
 
-/* Reads a scene as zr_scene_read does, with the same errors, and keeps the parts that changes need. The body may be
- * freed after the call. The texts of parameters and the assets must stay as long as the arena. */
+/* Reads a scene as zr_scene_read does, with the same errors, and keeps the parts that changes need, with room for
+ * mipmaps and, made at once, the tables of its meshes (mesh/mesh_tables.h). The body may be freed after the call. The
+ * texts of parameters and the assets must stay as long as the arena. */
 enum zr_status zr_scene_keep(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
                              struct zr_kept **kept);
 
-/* The same for a scene that changes only if it has several views; other scenes are read as by zr_scene_read. */
+/* The same without tables, for a scene that changes only if it has several views; other scenes are read as by
+ * zr_scene_read. */
 enum zr_status zr_scene_keep_for_views(const struct zr_run *run, const struct zr_request *request,
                                        const struct zr_limits *limits, struct zr_kept **kept);
 

@@ -18,6 +18,7 @@
 #include "input/root/change.h"
 #include "input/scene/kept.h"
 #include "input/text/text.h"
+#include "mesh/mesh_tables.h"
 #include "overlay/color_bar.h"
 #include "render_request.h"
 #include "scene/camera/camera.h"
@@ -208,6 +209,7 @@ static enum zr_status read_scene(const struct zr_run *run, const struct zr_reque
 {
     struct zr_query query;
     zr_scene_defaults(scene);
+    if (keeping && keeping->from) scene->tables = keeping->from->tables;
     struct zr_scene_builder builder = zr_scene_builder_open(run->arena, run->team, scene);
     builder.keeping = keeping;
     builder.read_model = read_model;
@@ -277,6 +279,7 @@ static enum zr_status read_request(const struct zr_run *run, const struct zr_req
     }
     const bool keeps = keeping && keeping->into && (made->view_set || !keeping->if_views);
     if (status == ZR_OK && keeps && !keep_body(run->arena, &body, made, keeping->into)) status = ZR_NO_MEMORY;
+    if (status == ZR_OK && keeps) zr_image_record_keep_levels(keeping->into->images, run->arena, made);
     run->arena->cancel = NULL;
     if (zr_is_cancelled(request->cancel)) {
         *run->error = (struct zr_error){0}; /* faults of a partly read body */
@@ -326,10 +329,31 @@ static enum zr_status keep(const struct zr_run *run, const struct zr_request *re
     return status;
 }
 
+/* Makes the tables of the meshes for the kept scene and all its changes. */
+static enum zr_status keep_tables(const struct zr_run *run, struct zr_kept *kept)
+{
+    struct zr_scene *scene = zr_arena_copy(run->arena, kept->scene, sizeof *scene);
+    struct zr_mesh_tables *tables = zr_arena_alloc(run->arena, 1, sizeof *tables);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
+    const enum zr_status status = zr_mesh_tables_make(run, scene, tables);
+    if (status != ZR_OK) return status;
+    scene->tables = kept->tables = tables;
+    kept->scene = scene;
+    return ZR_OK;
+}
+
 enum zr_status zr_scene_keep(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
                              struct zr_kept **kept)
 {
-    return keep(run, request, limits, false, kept);
+    struct zr_run making = *run;
+    making.cancel = request->cancel;
+    enum zr_status status = keep(run, request, limits, false, kept);
+    if (status != ZR_OK) return status;
+    status = keep_tables(&making, *kept);
+    if (status == ZR_CANCELLED) zr_error_add(run->error, status, NULL, "reading was stopped before it was done");
+    if (status == ZR_NO_MEMORY)
+        zr_error_add(run->error, status, NULL, "a scene needs more than %zu bytes", run->arena->ceiling);
+    return status;
 }
 
 enum zr_status zr_scene_keep_for_views(const struct zr_run *run, const struct zr_request *request,

@@ -146,6 +146,8 @@ static enum zr_status draw_all(struct batch *batch)
 
 static enum zr_status make_tables(const struct zr_run *run, struct zr_views *views)
 {
+    views->tables = views->scene->tables;
+    if (views->tables) return ZR_OK; /* of a kept scene */
     struct zr_mesh_tables *tables = zr_arena_alloc(run->arena, 1, sizeof *tables);
     views->tables = tables;
     return tables ? zr_mesh_tables_make(run, views->scene, tables) : ZR_NO_MEMORY;

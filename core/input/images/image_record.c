@@ -2,6 +2,9 @@
 
 #include <string.h>
 
+/* Levels take at most this part of the memory that is left. */
+enum { ROOM_SHARE = 8 };
+
 /* Hashes of a record are numbers of its items. */
 static void write_number(uint32_t number, struct zr_file_hash *hash)
 {
@@ -63,4 +66,50 @@ struct zr_kept_images zr_image_record_open(struct zr_image_record *record, const
 struct zr_kept_images zr_image_record_lend(struct zr_image_record *record)
 {
     return (struct zr_kept_images){look_up, NULL, record};
+}
+
+/* ---- room for levels ---- */
+
+static bool has_levels(const struct zr_scene *scene, uint32_t image)
+{
+    for (uint32_t i = 0; i < scene->texture_count; i++)
+        if (scene->textures[i].image == image && zr_filter_has_levels(scene->textures[i].minify)) return true;
+    return false;
+}
+
+static bool lacks_levels(const struct zr_scene *scene, uint32_t image)
+{
+    return !scene->images[image].levels && has_levels(scene, image);
+}
+
+static struct zr_image_levels *reserve(struct zr_arena *arena, const struct zr_image *image)
+{
+    struct zr_image_levels *levels = zr_arena_alloc(arena, 1, sizeof *levels);
+    void *texels = zr_arena_alloc(arena, zr_image_levels_bytes(image), 1);
+    if (!zr_arena_ok(arena)) return NULL;
+    atomic_init(&levels->state, ZR_LEVELS_EMPTY);
+    levels->texels = texels;
+    return levels;
+}
+
+static void note_levels(struct zr_image_record *record, const struct zr_image *image)
+{
+    for (uint32_t i = 0; i < record->count; i++)
+        if (record->items[i].is_decoded && record->items[i].kept.image.texels == image->texels)
+            record->items[i].kept.image.levels = image->levels;
+}
+
+void zr_image_record_keep_levels(struct zr_image_record *record, struct zr_arena *arena, struct zr_scene *scene)
+{
+    size_t bytes = 0;
+    for (uint32_t i = 0; i < scene->image_count; i++)
+        if (lacks_levels(scene, i)) bytes += zr_image_levels_bytes(&scene->images[i]);
+    if (bytes == 0 || bytes > zr_arena_left(arena) / ROOM_SHARE) return;
+    struct zr_image *images = zr_arena_copy(arena, scene->images, scene->image_count * sizeof *images);
+    for (uint32_t i = 0; images && i < scene->image_count; i++) {
+        if (!lacks_levels(scene, i)) continue;
+        images[i].levels = reserve(arena, &images[i]);
+        note_levels(record, &images[i]);
+    }
+    if (images) scene->images = images;
 }

@@ -7,6 +7,7 @@
 
 #include "core.h"
 #include "scene/image.h"
+#include "scene/scene.h"
 
 enum { ZR_IMAGES_RECORDED = 64 };
 
@@ -27,5 +28,9 @@ struct zr_kept_images zr_image_record_open(struct zr_image_record *record, const
 
 /* Returns images for later readings. */
 struct zr_kept_images zr_image_record_lend(struct zr_image_record *record);
+
+/* Makes room for the mipmaps of the scene's images, if it takes at most an eighth of the memory that is left: the first
+ * drawing fills it, and later ones take them, also those of later readings. Takes a copy of the list of images. */
+void zr_image_record_keep_levels(struct zr_image_record *record, struct zr_arena *arena, struct zr_scene *scene);
 
 #endif

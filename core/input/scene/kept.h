@@ -29,6 +29,7 @@ struct zr_kept {
     struct zr_limits limits;      /* of the first reading */
     const struct zr_scene *scene; /* the scene without a change */
     struct zr_image_record *images;
+    const struct zr_mesh_tables *tables; /* of its meshes, for all changes; NULL: none */
 
     const char *body; /* of frames of a file, in the format of `request`; else NULL */
     size_t body_size;
