@@ -286,7 +286,7 @@ gltf-models: ## the models of the glTF Asset Generator beside their thumbnails: 
 	@$(PYTHON) tests/reference/tables/gltf_models.py $(BUILD) $(DATA)/gltf/asset-generator
 
 .PHONY: looks
-looks: ## second versions of looks beside the first: brightness, contrast, and distance to target pictures; TARGETS=DIR
+looks: ## looks: brightness, contrast, and distance to target pictures; TARGETS=DIR
 	@.ci/need $(NEED_BUILD) /usr/share/doc/python3-numpy=python3-numpy
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@$(PYTHON) tests/reference/tables/looks_table.py $(BUILD) $(DATA)/models $(or $(TARGETS),$(DATA)/../design/look2)

@@ -146,7 +146,7 @@ struct zr_answer {
     const char *content_type;
     const void *bytes;
     size_t size;
-    const char *look;     /* the scene's look with its version: "studio@2" */
+    const char *look;     /* the scene's look with its version: "studio@1" */
     const char *encoders; /* libraries whose version decides the bytes: "libwebp 1.2.4; quality=80", "": none */
     const char *warnings; /* one line of whole warnings, with "; and 3 more" at its end if not all fit; "": none */
     size_t warning_count;

@@ -111,7 +111,7 @@ static bool is_kind(const char *kind, const char *name)
     return strncmp(name, kind, length) == 0 && (!name[length] || strcmp(name + length, "s") == 0);
 }
 
-/* A look may have a version: "studio@2". */
+/* A look may have a version: "studio@1". */
 static bool is_named(const cJSON *word, const char *name)
 {
     const char *known = text_of(word, "name");

@@ -17,7 +17,7 @@ struct parameter_row; /* options/parameters.h */
 /* Adds the values that a parameter accepts, as far as they are words. */
 void tables_values(struct words *words, const struct parameter_row *parameter);
 
-/* Prints the meaning of a word ("nocs", "studio@2"), or those of all words of a kind ("channel", "channels"). Returns
+/* Prints the meaning of a word ("nocs", "studio@1"), or those of all words of a kind ("channel", "channels"). Returns
  * false for other names. */
 bool tables_explain(const char *name);
 

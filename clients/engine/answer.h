@@ -9,7 +9,7 @@
 struct answer {
     int status;                /* exit status: STATUS_DONE with a picture, else the reason is in `faults` */
     struct zraster_bytes file; /* valid until answer_free */
-    char look[64];             /* "studio@2"; "": unknown */
+    char look[64];             /* "studio@1"; "": unknown */
     struct bytes warnings;     /* lines */
     struct bytes faults;       /* lines: "/view/eye: ...", "--look: ..." */
     zraster_picture *picture;  /* owner of the file, or NULL */

@@ -225,7 +225,7 @@ ZRASTER_API int zraster_picture_channel(const zraster_picture *picture, const ch
 
 /* Returns 1 if the file of the colours has alpha, since the background is not opaque; else 0. */
 ZRASTER_API int zraster_picture_has_alpha(const zraster_picture *picture);
-ZRASTER_API const char *zraster_picture_look(const zraster_picture *picture); /* "studio@2" */
+ZRASTER_API const char *zraster_picture_look(const zraster_picture *picture); /* "studio@1" */
 
 /* Returns warning i: those of reading and drawing, then, once the picture is encoded, of encoding. NULL behind the
  * last. */

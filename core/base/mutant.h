@@ -51,7 +51,7 @@
     row(no_depth_offset)            /* 15 */                                                                          \
     row(layers_front_first)         /* 30, blended from the nearest to the farthest */                                \
     row(layers_hidden_at_equal)     /* 30, blended faces at the depth of opaque ones */                                  \
-    row(xray_squared)               /* 30, opacities of x-rays */                                                     \
+    row(xray_cubed)                 /* 30, opacities of x-rays */                                                     \
     row(right_edges_inside)         /* odd-even rule */                                                               \
     row(holes_filled)               /* odd-even rule */                                                               \
     row(last_triangle_decides)      /* odd-even rule: depth */                                                        \

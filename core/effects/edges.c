@@ -17,14 +17,13 @@ static float clamped(float v, float least, float most)
 float zr_edges_width_in(const struct zr_edges *edges, uint32_t width, uint32_t height)
 {
     const float side = (float)(width < height ? width : height);
-    return edges->scales_width ? edges->width * clamped(sqrtf(side / 600.0f), 0.6f, 2.5f) : edges->width;
+    return edges->keeps_width ? edges->width : edges->width * clamped(sqrtf(side / 600.0f), 0.6f, 2.5f);
 }
 
 /* Returns the side of the largest box of creases that are dropped, in pixels between centres. */
-static uint32_t speck_pixels_of(const struct zr_edges *edges, uint32_t width, uint32_t height)
+static uint32_t speck_pixels_of(uint32_t width, uint32_t height)
 {
     const uint32_t side = ((width < height ? width : height) + 25) / 50;
-    if (!edges->scales_specks) return 12;
     return side < 5 ? 5 : side > 64 ? 64 : side;
 }
 
@@ -56,7 +55,7 @@ struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width,
                                     .line_width = zr_edges_width_in(edges, width, height),
                                     .silhouette_opacity = edges->silhouette_opacity,
                                     .crease_opacity = edges->crease_opacity,
-                                    .speck_pixels = speck_pixels_of(edges, width, height),
+                                    .speck_pixels = speck_pixels_of(width, height),
                                     .rule = make_rule(edges, scale, side),
                                     .silhouettes = silhouettes,
                                     .creases = creases,

@@ -6,8 +6,8 @@
  *         common surface (zr_edges_set_faces). Otherwise they form a crease if their normals differ by more than an
  *         angle. Samples without a normal, of lines, form silhouettes with uncovered samples only. A cap of a section
  *         forms one with all other faces, for any normals. Both neighbours are marked. Connected creases that fit in a
- * small box are dropped: 12 x 12 pixels, or with scales_specks a fiftieth of the window's smaller side, 5 to 64. Marks
- * are widened by a disc. Exact:  every instruction set, thread count and order of tiles gives the same bytes. Memory:
+ * square are dropped; its sides are a fiftieth of the window's smaller side, 5 to 64 pixels. Marks are widened by a
+ * disc. Exact:  every instruction set, thread count and order of tiles gives the same bytes. Memory:
  * two bits per sample, and 7 KiB per tile for the rows and columns at its sides, which are compared when all tiles are
  * drawn. */
 #ifndef ZR_EDGES_H
@@ -36,8 +36,8 @@ struct zr_edge_marks;
 struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width, uint32_t height, uint32_t side,
                                          const struct zr_edges *edges, const struct zr_pixel_scale *scale);
 
-/* Returns the width of lines in a window of these pixels. With scales_width, edges->width is that of a window whose
- * smaller side is 600: the width grows with the root of that side, from 0.6 to 2.5 times edges->width. */
+/* Returns the width of lines in a window of these pixels. Without keeps_width, edges->width is that of a window
+ * whose smaller side is 600: the width grows with the root of that side, from 0.6 to 2.5 times edges->width. */
 float zr_edges_width_in(const struct zr_edges *edges, uint32_t width, uint32_t height);
 
 /* Sets the triangles that owner ids refer to, before the first tile: parts of one surface then have no silhouette

@@ -28,7 +28,7 @@ struct zr_ground {
 };
 
 /* Makes the shadow from the heights, INFINITY for texels with nothing above; heights below the plane count as 0.
- * `height`: h; INFINITY: as under a high scene. `light` is NULL if the arena failed. Every team gives the same bytes.
+ * `height`: h. `light` is NULL if the arena failed. Every team gives the same bytes.
  */
 struct zr_ground zr_ground_make(const struct zr_run *run, const float *heights, float half_size, float diagonal,
                                 float height);

@@ -47,8 +47,7 @@ enum zr_status zr_ground_map_draw(const struct zr_run *run, const struct zr_scen
     const enum zr_status status = draw_depths(run, scene, &view.below, ZR_GROUND_SIDE, &heights);
     if (status != ZR_OK) return status;
     *frame = view.frame;
-    *ground = zr_ground_make(run, heights, view.half_size, zr_diagonal_of(bounds),
-                             scene->picture->softens_ground ? view.height : INFINITY);
+    *ground = zr_ground_make(run, heights, view.half_size, zr_diagonal_of(bounds), view.height);
     return ground->light ? ZR_OK : ZR_NO_MEMORY;
 }
 

@@ -56,7 +56,7 @@ static void finish_range(void *context, size_t begin, size_t end)
                                                 (int32_t)light->width, shares);
             row.share = shares;
         }
-        if (of->scene->picture->has_gradient && of->scene->picture->dithers)
+        if (of->scene->picture->has_gradient)
             row.dither = zr_finish_dither[ZR_MUTANT(dither_from_above, y, light->height - 1 - y) % ZR_DITHER_SIDE];
         if (of->ink) row.ink = of->ink + y * light->width;
         zr_finish_row_of(rows->isa)(&row, (uint32_t *)(void *)of->out + (size_t)(light->height - 1 - y) * light->width);

@@ -2,7 +2,7 @@
  *
  * Each pixel is laid over the background, which the ground's shadow darkens. The ink of edges is laid over the result,
  * which is then encoded as sRGB. Over a transparent background, the shadow is black with opacity 1 - T^(1/2.2), since
- * viewers blend encoded values. A gradient that dithers is moved by up to half a step before it is rounded, in a
+ * viewers blend encoded values. A gradient is moved by up to half a step before it is rounded, in a
  * pattern of 4 x 4 pixels, where no surface is in front of it.
  */
 #ifndef ZR_FINISH_H

@@ -23,7 +23,7 @@ static void scale_lines(const struct zr_lens_plan *plan, struct zr_picture *pict
     picture->line_width = picture->line_width * scale;
     if (!edges->is_on) return;
     edges->width = wide * scale;
-    edges->scales_width = false;
+    edges->keeps_width = true;
 }
 
 void zr_lens_drawing_open(const struct zr_scene *scene, const struct zr_resolved_view *resolved,

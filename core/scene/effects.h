@@ -9,10 +9,8 @@
 enum zr_environment_name {
     ZR_ENVIRONMENT_NONE,
     ZR_ENVIRONMENT_STUDIO,
+    ZR_ENVIRONMENT_METAL,
     ZR_ENVIRONMENT_OUTDOOR,
-    ZR_ENVIRONMENT_STUDIO_2,
-    ZR_ENVIRONMENT_METAL_2,
-    ZR_ENVIRONMENT_OUTDOOR_2,
     ZR_ENVIRONMENT_COUNT
 };
 
@@ -42,11 +40,11 @@ struct zr_occlusion {
 /* Silhouettes and creases, drawn over the picture. */
 struct zr_edges {
     bool is_on;
-    zr_vec3 color; /* sRGB-encoded */
-    float width;   /* pixels; 0, from the mesh only: it grows with the window (lines/strokes.h) */
+    zr_vec3 color;    /* sRGB-encoded */
+    float width;      /* pixels; from the mesh: 0 grows with the window (lines/strokes.h) */
+    bool keeps_width; /* from samples: else `width` is that in a window of 600 pixels (zr_edges_width_in) */
     float crease_degrees;
     float silhouette_opacity, crease_opacity; /* 0..1 */
-    bool scales_width, scales_specks;         /* width, and size of dropped creases, grow with the window */
     bool is_from_mesh; /* lines of the mesh (lines/drawing.h), else of samples (effects/edges.h) */
     /* from the mesh only */
     bool ignores_normals; /* normals of a file do not make creases smooth */
@@ -55,16 +53,7 @@ struct zr_edges {
 
 /* Constants of the shading gooch. */
 struct zr_gooch {
-    bool tints_cool;   /* the cool colour is multiplied by that of the surface */
     float least, rise; /* share of light in creases, and what an open surface has beyond it */
-};
-
-/* Constants of the shading xray: a layer has the opacity least + rise (1 - |c|)^2, or ^3, times 1 - lean x. x is that
- * of the normal once turned towards the eye: walls that face left are denser, so that sides of a part differ. */
-struct zr_xray_opacity {
-    float least, rise;
-    bool is_square;
-    float lean; /* 0 .. 1 */
 };
 
 #endif

@@ -35,23 +35,8 @@ static const struct zr_light textbook_lights[] = {
 };
 
 /* Least-squares fit of the environment studio, for flat, gouraud and phong. The key light travels along
- * -normalize(-0.55, 0.70, 0.46), which separates the faces of a cube best among ten tried directions. */
+ * -normalize(-0.60, 0.66, 0.46). */
 #define CLASSIC_LIGHTS                                                                                                 \
-    {.type = ZR_LIGHT_HEMISPHERE,                                                                                      \
-     .direction = {0, 1, 0},                                                                                           \
-     .color = {0.53f, 0.54f, 0.555f},                                                                                  \
-     .ground = {0.24f, 0.235f, 0.23f},                                                                                 \
-     .camera_frame = true,                                                                                             \
-     .lit = ZR_LIT_CLASSIC},                                                                                           \
-    {                                                                                                                  \
-        .type = ZR_LIGHT_DIRECTIONAL, .direction = {0.548875955f, -0.698569398f, -0.459059890f},                       \
-        .color = {1.03f, 1.00f, 0.965f}, .camera_frame = true, .lit = ZR_LIT_CLASSIC                                   \
-    }
-
-static const struct zr_light studio_lights[] = {CLASSIC_LIGHTS};
-
-/* The same fit of the environment studio@2. The key light travels along -normalize(-0.60, 0.66, 0.46). */
-#define CLASSIC_LIGHTS_2                                                                                               \
     {.type = ZR_LIGHT_HEMISPHERE,                                                                                      \
      .direction = {0, 1, 0},                                                                                           \
      .color = {0.479f, 0.488f, 0.500f},                                                                                \
@@ -63,23 +48,12 @@ static const struct zr_light studio_lights[] = {CLASSIC_LIGHTS};
         .color = {1.066f, 1.039f, 1.000f}, .camera_frame = true, .lit = ZR_LIT_CLASSIC                                 \
     }
 
-static const struct zr_light studio_2_lights[] = {CLASSIC_LIGHTS_2};
+static const struct zr_light studio_lights[] = {CLASSIC_LIGHTS};
 
-/* The sun is at the brightest part of the environment's sky: it travels along -normalize(-0.48, 0.67, 0.57). */
+/* The sun travels along -normalize(-0.42, 0.80, 0.43). Along the brightest part of the sky, it would meet top and front
+ * of a cube at one angle. */
 static const struct zr_light outdoor_lights[] = {
     CLASSIC_LIGHTS,
-    {.type = ZR_LIGHT_DIRECTIONAL,
-     .direction = {0.478995164f, -0.668597417f, -0.568806757f},
-     .color = {1.15f, 1.15f * 0.93f, 1.15f * 0.82f},
-     .environment_frame = true,
-     .has_shadows = true,
-     .lit = ZR_LIT_PBR},
-};
-
-/* The sun of outdoor@2 travels along -normalize(-0.42, 0.80, 0.43). Where that of outdoor@1 is, it meets top and front
- * of a cube at one angle. */
-static const struct zr_light outdoor_2_lights[] = {
-    CLASSIC_LIGHTS_2,
     {.type = ZR_LIGHT_DIRECTIONAL,
      .direction = {0.419727266f, -0.799480506f, -0.429720772f},
      .color = {1.15f, 1.15f * 0.93f, 1.15f * 0.82f},
@@ -93,43 +67,25 @@ static const struct zr_light outdoor_2_lights[] = {
 /* ---- shared values of rows ---- */
 
 /* 16 samples per pixel. The crease angle keeps chamfers of 45 degrees sharp and makes cylinders of 12 sides round. */
-#define LIT                   .is_linear = true, .side = 4, .line_width = 1, .crease_degrees = 35
-#define LINEAR                LIT, SURFACES
-#define SURFACES              GOOCH, XRAY
-#define GOOCH                 .gooch = {false, 0.35f, 0.65f}
-#define XRAY                  .xray = {0.07f, 0.68f, false, 0}
+#define LINEAR                .is_linear = true, .side = 4, .line_width = 1, .crease_degrees = 35
+#define GOOCH                 .gooch = {0.35f, 0.65f}
 #define NEUTRAL(factor)       .tone = ZR_TONE_NEUTRAL, .exposure = (factor)
 #define NO_TONE               .tone = ZR_TONE_NONE, .exposure = 1
 #define STUDIO                .environment = {ZR_ENVIRONMENT_STUDIO, 1, 0, true}
+#define METAL                 .environment = {ZR_ENVIRONMENT_METAL, 1, 0, true}
 #define OUTDOOR               .environment = {ZR_ENVIRONMENT_OUTDOOR, 1, 0, false}
 #define GRADIENT(from, to)    .has_gradient = true, .top = RGB(from), .bottom = RGB(to)
 #define OCCLUSION(on, factor) .occlusion = {(on), 0.2f, (factor)}
-#define EDGES(on, ink)                                                                                                 \
-    .edges = {.is_on = (on),                                                                                           \
-              .color = RGB(ink),                                                                                       \
-              .width = 1.5f,                                                                                           \
-              .crease_degrees = 30,                                                                                    \
-              .silhouette_opacity = 1,                                                                                 \
-              .crease_opacity = 0.85f}
-#define INK  0x1f2a36
-#define COOL 0x9fb0c3
-
-#define GROUNDED OCCLUSION(true, 2), .has_ground = true, EDGES(false, INK)
-
-/* Values of second versions. At 30 degrees, scans get stray creases. */
-#define STUDIO_2  .environment = {ZR_ENVIRONMENT_STUDIO_2, 1, 0, true}
-#define METAL_2   .environment = {ZR_ENVIRONMENT_METAL_2, 1, 0, true}
-#define OUTDOOR_2 .environment = {ZR_ENVIRONMENT_OUTDOOR_2, 1, 0, false}
-#define EDGES_2(on, ink, wide, silhouettes, creases)                                                                   \
+#define GROUNDED              .occlusion = {true, 0.15f, 2.3f}, .has_ground = true
+/* At 30 degrees, scans get stray creases. */
+#define EDGES(on, ink, wide, silhouettes, creases)                                                                     \
     .edges = {.is_on = (on),                                                                                           \
               .color = RGB(ink),                                                                                       \
               .width = (wide),                                                                                         \
               .crease_degrees = 40,                                                                                    \
               .silhouette_opacity = (silhouettes),                                                                     \
-              .crease_opacity = (creases),                                                                             \
-              .scales_width = true,                                                                                    \
-              .scales_specks = true}
-/* Lines of the mesh, whose width grows with the window. */
+              .crease_opacity = (creases)}
+#define NO_EDGES EDGES(false, INK, 1.5f, 1, 0.85f)
 #define EDGES_OF_MESH(ink)                                                                                             \
     .edges = {.is_on = true,                                                                                           \
               .color = RGB(ink),                                                                                       \
@@ -137,11 +93,9 @@ static const struct zr_light outdoor_2_lights[] = {
               .crease_degrees = 30,                                                                                    \
               .silhouette_opacity = 1,                                                                                 \
               .crease_opacity = 0.85f,                                                                                 \
-              .scales_width = true,                                                                                    \
-              .scales_specks = true,                                                                                   \
               .is_from_mesh = true}
-#define NO_EDGES_2 EDGES_2(false, INK, 1.5f, 1, 0.85f)
-#define GROUNDED_2 .occlusion = {true, 0.15f, 2.3f}, .has_ground = true, .softens_ground = true, .dithers = true
+#define INK  0x1f2a36
+#define COOL 0x9fb0c3
 
 /* Phong highlights are weak, as on plastic. */
 #define MATERIAL(model, hex, metal, rough) MATERIAL_COOL(model, hex, metal, rough, COOL)
@@ -157,28 +111,19 @@ static const struct zr_light outdoor_2_lights[] = {
 
 /* Elevation: isometric views show cars and animals from too high, and below 25 degrees plates become slivers. Angle of
  * view: 45 degrees distort, and 20 look flat. The padding leaves room for the ground's shadow. */
-#define FROM_ASIDE                                                                                                     \
+#define FROM_ASIDE(share)                                                                                              \
     .view = {.pose = ZR_POSE_ORBIT,                                                                                    \
              .preset = ZR_PRESET_ISOMETRIC,                                                                            \
              .azimuth_degrees = 35,                                                                                    \
              .elevation_degrees = 28,                                                                                  \
              .projection = ZR_PROJECTION_PERSPECTIVE,                                                                  \
              .fov_radians = 0.52359878f, /* 30 degrees */                                                              \
-             .padding = 0.07f}
-#define FROM_ASIDE_2(share)                                                                                            \
-    .view = {.pose = ZR_POSE_ORBIT,                                                                                    \
-             .preset = ZR_PRESET_ISOMETRIC,                                                                            \
-             .azimuth_degrees = 35,                                                                                    \
-             .elevation_degrees = 28,                                                                                  \
-             .projection = ZR_PROJECTION_PERSPECTIVE,                                                                  \
-             .fov_radians = 0.52359878f,                                                                               \
-             .padding = (share),                                                                                       \
-             .suits_extent = true}
-#define ISOMETRIC(share)                                                                                               \
+             .padding = (share)}
+#define ISOMETRIC                                                                                                      \
     .view = {.pose = ZR_POSE_PRESET,                                                                                   \
              .preset = ZR_PRESET_ISOMETRIC,                                                                            \
              .projection = ZR_PROJECTION_ORTHOGRAPHIC,                                                                 \
-             .padding = (share)}
+             .padding = 0.05f}
 
 /* ---- the rows ---- */
 
@@ -187,135 +132,77 @@ const struct zr_look zr_looks[] = {
     {.name = "studio",
      .version = 1,
      .text = "a clean product picture: soft light, shadow on the ground, pale gradient",
-     .picture = &(const struct zr_picture){LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED},
-     .background = OPAQUE(0xf4f6f8),
-     MATERIAL(ZR_SHADING_PBR, 0x8fa3b8, 0, 0.55f),
-     LIGHTS(studio_lights),
-     FROM_ASIDE},
-    {.name = "studio",
-     .version = 2,
-     .picture = &(const struct zr_picture){LINEAR, NEUTRAL(1), STUDIO_2, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED_2,
-                                           EDGES_2(true, 0x3f4b59, 1, 0.60f, 0.45f)},
+     .picture = &(const struct zr_picture){LINEAR, GOOCH, NEUTRAL(1), STUDIO, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED,
+                                           EDGES(true, 0x3f4b59, 1, 0.60f, 0.45f)},
      .background = OPAQUE(0xf4f6f8),
      MATERIAL(ZR_SHADING_PBR, 0x9fb6d0, 0, 0.55f),
-     LIGHTS(studio_2_lights),
-     FROM_ASIDE_2(0.05f)},
+     LIGHTS(studio_lights),
+     FROM_ASIDE(0.05f)},
     {.name = "technical",
      .version = 1,
      .text = "an illustration with ink lines along outlines and creases, in cool and warm tones",
-     .picture = &(const struct zr_picture){LINEAR, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES(true, INK)},
-     .background = OPAQUE(0xffffff),
-     MATERIAL(ZR_SHADING_GOOCH, 0xffffff, 0, 0.55f),
-     LIGHTS(studio_lights),
-     ISOMETRIC(0.07f)},
-    {.name = "technical",
-     .version = 2,
-     .picture = &(const struct zr_picture){LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES_OF_MESH(INK),
-                                           .gooch = {true, 0.35f, 0.65f}, XRAY},
+     .picture = &(const struct zr_picture){LINEAR, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES_OF_MESH(INK), GOOCH},
      .background = OPAQUE(0xffffff),
      MATERIAL(ZR_SHADING_GOOCH, 0xfcfcfd, 0, 0.55f),
      .cloud = OPAQUE(0x7d90a6),
      LIGHTS(studio_lights),
-     ISOMETRIC(0.05f)},
+     ISOMETRIC},
     {.name = "clay",
      .version = 1,
      .text = "matte clay, which shows shape without reflections",
-     .picture = &(const struct zr_picture){LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0xf7f4f0, 0xded6cc), GROUNDED},
-     .background = OPAQUE(0xf7f4f0),
-     MATERIAL(ZR_SHADING_PBR, 0xcbb29c, 0, 0.9f),
-     LIGHTS(studio_lights),
-     FROM_ASIDE},
-    {.name = "clay",
-     .version = 2,
-     .picture =
-         &(const struct zr_picture){LINEAR, NEUTRAL(1), STUDIO_2, GRADIENT(0xf7f4f0, 0xded6cc), GROUNDED_2, NO_EDGES_2},
+     .picture = &(const struct zr_picture){LINEAR, GOOCH, NEUTRAL(1), STUDIO, GRADIENT(0xf7f4f0, 0xded6cc), GROUNDED,
+                                           NO_EDGES},
      .background = OPAQUE(0xf7f4f0),
      MATERIAL(ZR_SHADING_PBR, 0xd3b9a2, 0, 0.9f),
      .wire = OPAQUE(0x7a6350),
-     LIGHTS(studio_2_lights),
-     FROM_ASIDE_2(0.05f)},
+     LIGHTS(studio_lights),
+     FROM_ASIDE(0.05f)},
     {.name = "dark",
      .version = 1,
      .text = "a light model in front of a dark gradient",
-     .picture = &(const struct zr_picture){LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0x3c444d, 0x191d22), GROUNDED},
+     .picture = &(const struct zr_picture){LINEAR, GOOCH, NEUTRAL(1), STUDIO, GRADIENT(0x3c444d, 0x191d22), GROUNDED,
+                                           EDGES(true, 0x14181d, 1, 0, 0.50f)},
      .background = OPAQUE(0x3c444d),
      MATERIAL(ZR_SHADING_PBR, 0xc9ced4, 0, 0.45f),
      LIGHTS(studio_lights),
-     FROM_ASIDE},
-    {.name = "dark",
-     .version = 2,
-     .picture = &(const struct zr_picture){LINEAR, NEUTRAL(1), STUDIO_2, GRADIENT(0x3c444d, 0x191d22), GROUNDED_2,
-                                           EDGES_2(true, 0x14181d, 1, 0, 0.50f)},
-     .background = OPAQUE(0x3c444d),
-     MATERIAL(ZR_SHADING_PBR, 0xc9ced4, 0, 0.45f),
-     LIGHTS(studio_2_lights),
-     FROM_ASIDE_2(0.05f)},
+     FROM_ASIDE(0.05f)},
     {.name = "metal",
      .version = 1,
      .text = "brushed metal with reflections of a studio",
-     .picture = &(const struct zr_picture){LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED},
+     .picture = &(const struct zr_picture){LINEAR, GOOCH, NEUTRAL(1), METAL, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED,
+                                           EDGES(true, 0x2b3036, 1, 0.60f, 0.45f)},
      .background = OPAQUE(0xf4f6f8),
      MATERIAL(ZR_SHADING_PBR, 0xd4d6da, 1, 0.32f),
      LIGHTS(studio_lights),
-     FROM_ASIDE},
-    {.name = "metal",
-     .version = 2,
-     .picture = &(const struct zr_picture){LINEAR, NEUTRAL(1), METAL_2, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED_2,
-                                           EDGES_2(true, 0x2b3036, 1, 0.60f, 0.45f)},
-     .background = OPAQUE(0xf4f6f8),
-     MATERIAL(ZR_SHADING_PBR, 0xd4d6da, 1, 0.32f),
-     LIGHTS(studio_2_lights),
-     FROM_ASIDE_2(0.05f)},
+     FROM_ASIDE(0.05f)},
     {.name = "outdoor",
      .version = 1,
      .text = "sun and sky, with cast shadows",
-     .picture = &(const struct zr_picture){LINEAR, NEUTRAL(0.78f), OUTDOOR, GRADIENT(0xbcd6f0, 0xefe9de), GROUNDED},
-     .background = OPAQUE(0xbcd6f0),
-     MATERIAL(ZR_SHADING_PBR, 0xb9b4aa, 0, 0.55f),
-     LIGHTS(outdoor_lights),
-     FROM_ASIDE},
-    {.name = "outdoor",
-     .version = 2,
-     .picture = &(const struct zr_picture){LINEAR, NEUTRAL(0.90f), OUTDOOR_2, GRADIENT(0xbcd6f0, 0xefe9de), GROUNDED_2,
-                                           NO_EDGES_2, .has_ground_sun = true},
+     .picture = &(const struct zr_picture){LINEAR, GOOCH, NEUTRAL(0.90f), OUTDOOR, GRADIENT(0xbcd6f0, 0xefe9de),
+                                           GROUNDED, NO_EDGES, .has_ground_sun = true},
      .background = OPAQUE(0xbcd6f0),
      MATERIAL(ZR_SHADING_PBR, 0xb9b4aa, 0, 0.55f),
      .wire = OPAQUE(0x5f5c55),
-     LIGHTS(outdoor_2_lights),
-     FROM_ASIDE_2(0.08f)},
+     LIGHTS(outdoor_lights),
+     FROM_ASIDE(0.08f)},
     {.name = "blueprint",
      .version = 1,
      .text = "white lines on blue paper",
-     .picture = &(const struct zr_picture){LINEAR, NO_TONE, STUDIO, OCCLUSION(false, 2), EDGES(true, 0xe8f0fa)},
-     .background = OPAQUE(0x1d4a86),
-     MATERIAL(ZR_SHADING_UNLIT, 0x1d4a86, 0, 0.55f),
-     LIGHTS(studio_lights),
-     ISOMETRIC(0.07f)},
-    {.name = "blueprint",
-     .version = 2,
-     .picture = &(const struct zr_picture){LIT, NO_TONE, STUDIO, OCCLUSION(true, 1.6f), EDGES_OF_MESH(0xe8f0fa),
-                                           .gooch = {true, 0.2f, 0.8f}, XRAY},
+     .picture = &(const struct zr_picture){LINEAR, NO_TONE, STUDIO, OCCLUSION(true, 1.6f), EDGES_OF_MESH(0xe8f0fa),
+                                           .gooch = {0.2f, 0.8f}},
      .background = OPAQUE(0x1d4a86),
      MATERIAL_COOL(ZR_SHADING_GOOCH, 0x5086c8, 0, 0.55f, 0x4c6290),
      LIGHTS(studio_lights),
-     ISOMETRIC(0.05f)},
+     ISOMETRIC},
     {.name = "xray",
      .version = 1,
      .text = "translucent surfaces, which show the inside",
      .picture = &(const struct zr_picture){LINEAR, NO_TONE, STUDIO, GRADIENT(0xffffff, 0xf1f4f8), OCCLUSION(false, 2),
-                                           EDGES(false, INK)},
+                                           NO_EDGES, GOOCH},
      .background = OPAQUE(0xffffff),
      MATERIAL(ZR_SHADING_XRAY, 0x2b6cb0, 0, 0.55f),
      LIGHTS(studio_lights),
-     FROM_ASIDE},
-    {.name = "xray",
-     .version = 2,
-     .picture = &(const struct zr_picture){LIT, NO_TONE, STUDIO, GRADIENT(0xffffff, 0xf1f4f8), .dithers = true,
-                                           OCCLUSION(false, 2), NO_EDGES_2, GOOCH, .xray = {0.11f, 0.56f, true, 0.5f}},
-     .background = OPAQUE(0xffffff),
-     MATERIAL(ZR_SHADING_XRAY, 0x2b6cb0, 0, 0.55f),
-     LIGHTS(studio_lights),
-     FROM_ASIDE_2(0.05f)},
+     FROM_ASIDE(0.05f)},
     {.name = "textbook",
      .version = 1,
      .text = "plain OpenGL 2.1: one sample per pixel, two lights, no effects",
@@ -325,8 +212,12 @@ const struct zr_look zr_looks[] = {
                                            .environment = {ZR_ENVIRONMENT_NONE, 1, 0, true},
                                            NO_TONE,
                                            OCCLUSION(false, 2),
-                                           EDGES(false, INK),
-                                           SURFACES},
+                                           .edges = {.color = RGB(INK),
+                                                     .width = 1.5f,
+                                                     .crease_degrees = 30,
+                                                     .silhouette_opacity = 1,
+                                                     .crease_opacity = 0.85f},
+                                           GOOCH},
      .background = OPAQUE(0xffffff),
      .material = {.base_color = {0.7f, 0.7f, 0.7f, 1},
                   .shininess = 32,
@@ -336,7 +227,7 @@ const struct zr_look zr_looks[] = {
      .shades_by_mesh = true,
      .ambient = {0.34f, 0.34f, 0.34f},
      LIGHTS(textbook_lights),
-     ISOMETRIC(0.05f)},
+     ISOMETRIC},
 };
 
 const int zr_look_count = sizeof zr_looks / sizeof zr_looks[0];
@@ -404,6 +295,6 @@ void zr_look_set_view(const struct zr_look *look, struct zr_view *view)
     view->up = (zr_vec3){0, 1, 0};
     view->projection = from->projection;
     view->fit_padding = from->padding;
-    view->suits_extent = from->suits_extent;
+    view->suits_extent = from->pose == ZR_POSE_ORBIT;
     zr_view_set_fov(view, from->fov_radians);
 }

@@ -17,7 +17,6 @@ struct zr_look_view {
     enum zr_projection projection; /* ZR_PROJECTION_PERSPECTIVE or ZR_PROJECTION_ORTHOGRAPHIC */
     float fov_radians;             /* perspective: full angle over the smaller side of the window */
     float padding;                 /* share of the window left free on each side */
-    bool suits_extent;             /* raised over low scenes, face on before flat ones (zr_view.suits_extent) */
 };
 
 struct zr_look {
@@ -48,7 +47,7 @@ extern const int zr_look_count;
 /* Returns the default look of scenes in JSON. It draws as GL 2.1 does, without linear light. */
 const struct zr_look *zr_look_textbook(void);
 
-/* Finds a look: "studio" is its newest version, "studio@2" version 2 (no leading zeros). NULL if none matches. */
+/* Finds a look: "studio" is its newest version, "studio@1" version 1 (no leading zeros). NULL if none matches. */
 const struct zr_look *zr_look_find(const char *text);
 
 /* Name with version, such as "studio@1", which always selects the same row. */

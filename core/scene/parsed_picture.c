@@ -28,9 +28,8 @@ struct zr_picture zr_picture_merge(const struct zr_parsed_picture *given, const 
 #undef TAKE
     if (zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT) && merged.environment.name != ZR_ENVIRONMENT_NONE &&
         !zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT_FRAME))
-        merged.environment.camera_frame =
-            merged.environment.name != ZR_ENVIRONMENT_OUTDOOR && merged.environment.name != ZR_ENVIRONMENT_OUTDOOR_2;
-    if (zr_picture_gives(given, ZR_PICTURE_EDGES_WIDTH)) merged.edges.scales_width = false;
+        merged.environment.camera_frame = merged.environment.name != ZR_ENVIRONMENT_OUTDOOR;
+    if (zr_picture_gives(given, ZR_PICTURE_EDGES_WIDTH)) merged.edges.keeps_width = true;
     if (zr_picture_gives(given, ZR_PICTURE_EDGES_FROM) && !zr_picture_gives(given, ZR_PICTURE_EDGES_WIDTH))
         merged.edges.width = merged.edges.is_from_mesh ? 0.0f : 1.5f;
     if (zr_picture_gives(given, ZR_PICTURE_EDGES_CREASE)) merged.edges.ignores_normals = true;

@@ -19,17 +19,14 @@ struct zr_picture {
     float line_width;  /* of lines and outlines, pixels */
     bool has_gradient; /* background from top to bottom, mixed in linear light; else the scene's background */
     zr_vec3 top, bottom; /* of the gradient, sRGB-encoded */
-    bool dithers;        /* the gradient, where nothing is in front of it */
     struct zr_environment environment;
     enum zr_tone tone;
     float exposure; /* factor on light before tone mapping */
     struct zr_occlusion occlusion;
     bool has_ground;     /* shadow on the plane under the scene, if the camera is above it */
-    bool softens_ground; /* that shadow is narrower and weaker under low scenes */
     bool has_ground_sun; /* the first directional lamp with shadows casts one on that plane, too */
     struct zr_edges edges;
     struct zr_gooch gooch;
-    struct zr_xray_opacity xray;
     float crease_degrees; /* normals are averaged over faces up to this angle apart; 180: over all faces of a vertex */
     bool z_is_up;         /* up axis of environment and ground: z, else y */
 };

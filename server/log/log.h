@@ -29,7 +29,7 @@ struct log_request {
     const char *client;                  /* address of the client, as a trusted proxy told it; else that of `remote` */
     const struct trace *trace;           /* NULL: none */
     const char *route;                   /* its path in the table of routes; NULL: none was found */
-    const char *look;                    /* with its version, as answered: "studio@2" */
+    const char *look;                    /* with its version, as answered: "studio@1" */
     size_t warnings;                     /* of the answer */
     int status;                          /* 0: no answer was sent */
     enum refusal refusal;                /* of a 503 or 429 */

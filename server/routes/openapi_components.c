@@ -59,7 +59,7 @@ const char openapi_components[] = ZR_SCHEMA({
         "Zraster-Version": {"description": "Version of the daemon.", "schema": {"type": "string"}},
         "Zraster-Look": {
             "description": "Look of the picture with its version.", "schema": {"type": "string"},
-            "example": "studio@2"
+            "example": "studio@1"
         },
         "Zraster-Encoder": {
             "description": "Libraries that decide the bytes of a JPEG or WebP, with their versions.",

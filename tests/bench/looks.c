@@ -9,7 +9,7 @@
 enum { WITHOUT, WITH, SIDES, THREADS_MAX = 2 };
 
 /* What is added to a picture: to the textbook's way, or to linear light with one sample and no effect. */
-enum added { SAMPLES_4, SAMPLES_16, SAMPLES_64, LINEAR, OCCLUSION, GROUND, SHADOWS, EDGES, ALL, SECOND };
+enum added { SAMPLES_4, SAMPLES_16, SAMPLES_64, LINEAR, OCCLUSION, GROUND, SHADOWS, EDGES, ALL };
 
 static const struct {
     const char *name;
@@ -29,13 +29,9 @@ static const struct {
     {"pbr, shadow on the ground", GROUND, WORK_GOURAUD, true},
     {"pbr, a lamp with shadows", SHADOWS, WORK_GOURAUD, true},
     {"pbr, edges", EDGES, WORK_GOURAUD, true},
-    {"studio@1 complete", ALL, WORK_GOURAUD, false},
-    {"studio@2 against studio@1", SECOND, WORK_GOURAUD, false},
+    {"studio complete", ALL, WORK_GOURAUD, false},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
-
-/* Time of a second version, in times of the first. */
-#define SECOND_AT_MOST 1.15
 
 struct task {
     const struct work *work;
@@ -53,11 +49,11 @@ static void name_row(const struct task *task, char *name, size_t size)
 
 void looks_make_linear(struct ours *ours)
 {
-    const struct zr_look *studio = zr_look_find("studio@1");
+    const struct zr_look *studio = zr_look_find("studio");
     struct zr_picture *picture = &ours->subject.picture;
     *picture = *studio->picture;
     picture->side = 1;
-    picture->occlusion.is_on = picture->has_ground = false;
+    picture->occlusion.is_on = picture->has_ground = picture->edges.is_on = false;
     ours->subject.materials[0].shading = ZR_SHADING_PBR;
     ours->subject.materials[0].roughness = studio->material.roughness;
 }
@@ -69,7 +65,7 @@ static void add(struct ours *ours, enum added added)
     if (added == SAMPLES_16) picture->side = 4;
     if (added == SAMPLES_64) picture->side = 8;
     if (added == LINEAR || added == ALL) looks_make_linear(ours);
-    if (added == ALL) *picture = *zr_look_find("studio@1")->picture;
+    if (added == ALL) *picture = *zr_look_find("studio")->picture;
     if (added == OCCLUSION) picture->occlusion.is_on = true;
     if (added == GROUND) picture->has_ground = true;
     if (added == EDGES) picture->edges.is_on = true;
@@ -89,26 +85,10 @@ static void light_lamp(struct ours *ours, bool has_shadows)
     ours->subject.scene.light_count = 1;
 }
 
-/* A look as a whole, but for its view. */
-static void take_look(struct ours *ours, const char *name)
-{
-    const struct zr_look *look = zr_look_find(name);
-    struct zr_scene *scene = &ours->subject.scene;
-    scene->look = look;
-    ours->subject.picture = *look->picture;
-    scene->lights = look->lights;
-    scene->light_count = look->light_count;
-    ours->subject.materials[0] = look->material;
-}
-
 static void take(struct ours *ours, const struct task *task, int side)
 {
     ours_take(ours, task->work, &(struct variant){rows[task->row].shade, true});
     if (rows[task->row].is_linear) looks_make_linear(ours);
-    if (rows[task->row].added == SECOND) {
-        take_look(ours, side == WITH ? "studio@2" : "studio@1");
-        return;
-    }
     if (rows[task->row].added == SHADOWS) light_lamp(ours, side == WITH);
     if (side == WITH) add(ours, rows[task->row].added);
 }
@@ -141,7 +121,6 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     }
     if (!series_run(series, SIDES, bench->rounds, run_round, ours)) return false;
     struct row row = {.ours_ms = series_median(&series[WITH]), .theirs_ms = series_median(&series[WITHOUT])};
-    if (rows[task->row].added == SECOND) row.bar.must = 1 / SECOND_AT_MOST;
     name_row(task, row.work, sizeof row.work);
     sink_row(sink, &row);
     return true;

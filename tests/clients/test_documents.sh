@@ -48,7 +48,8 @@ complete() { # WORD...: the answers of bash's completion
     bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _zraster; printf "%s\n" "${COMPREPLY[@]}"' bash "$build/completion.bash" "$@"
 }
 verdict "bash completes a look" [ "$(complete zraster --look te | tr '\n' ' ')" = "technical textbook " ]
-verdict "bash completes the version of an environment" [ "$(complete zraster --environment met | tr '\n' ' ')" = "metal@2 " ]
+verdict "and an environment" [ "$(complete zraster --environment met | tr '\n' ' ')" = "metal " ]
+verdict "and the version of a look" [ "$(complete zraster --look metal@ | tr '\n' ' ')" = "metal@1 " ]
 verdict "an option" [ "$(complete zraster part.stl --az)" = --azimuth ]
 verdict "and a command" [ "$(complete zraster comp)" = compare ]
 if command -v groff >/dev/null; then

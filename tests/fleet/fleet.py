@@ -100,7 +100,7 @@ def revalidated(fleet):
 def cached(fleet):
     """An asset, and a picture with an address, are asked of a replica once."""
     data = os.urandom(100000)
-    asset, scene = "/v1/assets/" + hashlib.sha256(data).hexdigest(), b'{"look": "studio@2", ' + next(scenes())[1:]
+    asset, scene = "/v1/assets/" + hashlib.sha256(data).hexdigest(), b'{"look": "studio@1", ' + next(scenes())[1:]
     address = "/v1/renders/" + hashlib.sha256(scene).hexdigest()
     good, texts = True, []
     fleet.ask("PUT", asset, data)

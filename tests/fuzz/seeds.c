@@ -122,7 +122,7 @@ static void write_scenes(void)
                   "\"parts\":[\"a\"],\"color\":\"#ff0000\"}],\"explode\":{\"factor\":0.5,\"axis\":\"z\"},\"colors\":"
                   "\"parts\",\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"info\"}]}"},
         {"blueprint-svg",
-         "{" WINDOW ",\"look\":\"blueprint@2\"," TETRAHEDRA "\"isolate\":[\"a\",\"b\"],\"explode\":1,\"sections\":"
+         "{" WINDOW ",\"look\":\"blueprint@1\"," TETRAHEDRA "\"isolate\":[\"a\",\"b\"],\"explode\":1,\"sections\":"
          "{\"planes\":[{\"axis\":\"x\"}]},\"edges\":{\"from\":\"mesh\",\"hiddenLines\":true},\"outputs\":[{"
          "\"channel\":\"color\",\"encoding\":\"svg\"}]}"},
         {"intrinsics", "{" WINDOW "," TRIANGLE ",\"view\":{\"R\":[1,0,0,0,1,0,0,0,1],\"t\":[0,0,4],\"intrinsics\":"

@@ -23,7 +23,7 @@ import test_metrics
 SECONDS = float(os.environ.get("PROMETHEUS_SECONDS", "60"))
 JSON = {"Content-Type": "application/json"}
 # (method, path, body, headers), drawn at random.
-REQUESTS = ([("POST", "/v1/render?look=studio@2&width=64&height=48", test_metrics.SCENE, JSON)] * 6 + [("POST", "/v1/render", test_metrics.SCENE, JSON)] * 6 +
+REQUESTS = ([("POST", "/v1/render?look=studio@1&width=64&height=48", test_metrics.SCENE, JSON)] * 6 + [("POST", "/v1/render", test_metrics.SCENE, JSON)] * 6 +
             [("POST", "/v1/render", test_metrics.WARNED, JSON), ("POST", "/v1/render", b'{"odd":1}', JSON), ("POST", "/v1/render", b"{", JSON),
              ("POST", "/v1/render", b"{", {"Content-Encoding": "br"}), ("GET", "/v1/limits", None, {}), ("HEAD", "/", None, {}), ("OPTIONS", "/v1/render", None, {}),
              ("DELETE", "/v1/looks", None, {}), ("GET", "/none", None, {}), ("BREW", "/healthz", None, {}), ("GET", "/v1/assets/" + "0" * 64, None, {})])

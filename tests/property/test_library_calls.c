@@ -56,7 +56,7 @@ TEST(channels_lie_in_the_picture)
     assert_ptr_equal(bytes_of(picture, "depth.npy").data, npy.data);
     assert_string_equal(bytes_of(picture, NULL).type, "application/zip");
     assert_string_equal(bytes_of(picture, "color").type, "image/png");
-    assert_string_equal(zraster_picture_look(picture), "studio@2");
+    assert_string_equal(zraster_picture_look(picture), "studio@1");
     assert_null(zraster_picture_warning(picture, 0));
     zraster_error *error;
     struct zraster_bytes bytes;

@@ -14,22 +14,14 @@ static const struct {
     const char *name;
     uint64_t digests[LOOK_SCENES];
 } released[] = {
-    {"studio@1", {UINT64_C(0x1ee504c64bb847f3), UINT64_C(0xfa5110207a758821)}},
-    {"studio@2", {UINT64_C(0xa4ba59e4c34a2558), UINT64_C(0x9f4b022c08596968)}},
-    {"technical@1", {UINT64_C(0x484b8c65d4a97e7e), UINT64_C(0x3b58cae8420562b8)}},
-    {"technical@2", {UINT64_C(0x3fa66981f9c9020a), UINT64_C(0x096cc0869553ba61)}},
-    {"clay@1", {UINT64_C(0xa08c08d543b57c27), UINT64_C(0xd5590fa8429efad0)}},
-    {"clay@2", {UINT64_C(0xaece4688b4c7a676), UINT64_C(0x252d9b5de2028209)}},
-    {"dark@1", {UINT64_C(0xead62af450689e9f), UINT64_C(0x03fc9c83b7137408)}},
-    {"dark@2", {UINT64_C(0x740f36d3869d0419), UINT64_C(0x22934b002a28efd9)}},
-    {"metal@1", {UINT64_C(0x8c446ccaaab75555), UINT64_C(0x4aabf3d57b4d88bc)}},
-    {"metal@2", {UINT64_C(0xcec957f508b8d620), UINT64_C(0x57ed3e890c0286b0)}},
-    {"outdoor@1", {UINT64_C(0x45b8f13eaec3d5cd), UINT64_C(0x4f3f753228a67098)}},
-    {"outdoor@2", {UINT64_C(0x0ea8586e1a297bcd), UINT64_C(0x443f29fcda465f47)}},
-    {"blueprint@1", {UINT64_C(0xd1f028a733764f00), UINT64_C(0xff99e64233fbfa95)}},
-    {"blueprint@2", {UINT64_C(0x01278e9d4ef81936), UINT64_C(0x280da5d896aad99a)}},
-    {"xray@1", {UINT64_C(0x204672fa157c4e71), UINT64_C(0xd285b3828be66162)}},
-    {"xray@2", {UINT64_C(0x39f271a716b797e7), UINT64_C(0xd173901cde136702)}},
+    {"studio@1", {UINT64_C(0xa4ba59e4c34a2558), UINT64_C(0x9f4b022c08596968)}},
+    {"technical@1", {UINT64_C(0x3fa66981f9c9020a), UINT64_C(0x096cc0869553ba61)}},
+    {"clay@1", {UINT64_C(0xaece4688b4c7a676), UINT64_C(0x252d9b5de2028209)}},
+    {"dark@1", {UINT64_C(0x740f36d3869d0419), UINT64_C(0x22934b002a28efd9)}},
+    {"metal@1", {UINT64_C(0xcec957f508b8d620), UINT64_C(0x57ed3e890c0286b0)}},
+    {"outdoor@1", {UINT64_C(0x0ea8586e1a297bcd), UINT64_C(0x443f29fcda465f47)}},
+    {"blueprint@1", {UINT64_C(0x01278e9d4ef81936), UINT64_C(0x280da5d896aad99a)}},
+    {"xray@1", {UINT64_C(0x39f271a716b797e7), UINT64_C(0xd173901cde136702)}},
     {"textbook@1", {UINT64_C(0xeec2ebd6a7c10fe5), UINT64_C(0xef093eb2f6c56f29)}},
 };
 enum { RELEASED = sizeof released / sizeof *released };

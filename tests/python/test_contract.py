@@ -99,7 +99,7 @@ class Contract(unittest.TestCase):
                         self.assertRegex(listed, rf"(?m)^  {name} +[^ ].{{4,}}$")
         self.assertIn("nocs: value of space (/outputs/N/space)\n", help_of("nocs").stdout)
         self.assertIn("halfspace: value of algorithm (/algorithm)\n", help_of("halfspace").stdout)
-        self.assertIn("studio: look\n", help_of("studio@2").stdout)
+        self.assertIn("studio: look\n", help_of("studio@1").stdout)
         self.assertEqual(help_of("studio@99").returncode, 2)
         self.assertIn("did you mean masks?", help_of("maskz").stderr)
 

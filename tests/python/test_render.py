@@ -98,7 +98,7 @@ class Neighbours(unittest.TestCase):
     def test_gltf_bytes(self):
         """bytes of glTF without a type are a mesh, and take parameters of meshes"""
         drawn = zraster.render(gltf("b"), parts={"b": self.buffer}, look="clay", size=(20, 10))
-        self.assertEqual(drawn.look, "clay@2")
+        self.assertEqual(drawn.look, "clay@1")
 
 
 class SameBytes(unittest.TestCase):
@@ -421,7 +421,7 @@ class Pictures(unittest.TestCase):
     def test_facts(self):
         """a picture has its look, channels, info and PNG"""
         picture = zraster.render(SCENE, ["color", "info", {"channel": "normals", "encoding": "png"}], look="clay")
-        self.assertEqual(picture.look, "clay@2")
+        self.assertEqual(picture.look, "clay@1")
         self.assertEqual(list(picture), ["color", "info", "normals"])
         self.assertEqual(picture.info["window"], {"width": 60, "height": 40})
         self.assertIsInstance(picture.info, dict)
@@ -437,7 +437,7 @@ class Pictures(unittest.TestCase):
         self.assertEqual(picture.file("color"), picture.png)
         self.assertNotEqual(picture.file("normals"), picture.png)
         self.assertEqual(picture.content_type, "application/zip")
-        self.assertIn("color, info, normals in clay@2", repr(picture))
+        self.assertIn("color, info, normals in clay@1", repr(picture))
         with self.assertRaisesRegex(KeyError, "depth: the picture has color, info, normals"):
             picture["depth"]
         with self.assertRaisesRegex(KeyError, "ask for others"):

@@ -138,7 +138,7 @@ class Addresses(Folder):
         """pictures with pinned looks stay for ever"""
         for data, query, wanted in ((CUBE, "", SOON), (CUBE, "?look=studio", SOON), (CUBE, "?look=studio@1", FOREVER),
                                     (SCENE % b"", "", FOREVER), (SCENE % b'"look":"studio",', "", SOON),
-                                    (SCENE % b'"look":"studio@2",', "", FOREVER)):
+                                    (SCENE % b'"look":"studio@1",', "", FOREVER)):
             self.assertEqual(self.get(self.client.put(data), query)[1]["Cache-Control"], wanted, (data, query))
 
     def test_spelling(self):
@@ -148,7 +148,7 @@ class Addresses(Folder):
         self.assertEqual(len(tags("?width=80&color=red", "?color=%23F00&width=080", "?color=%23ff0000&width=80&compress=fast")), 1)
         newest = self.get(name, "?look=studio")[1]["Zraster-Look"]
         self.assertEqual(len(tags("?look=studio", "?look=" + newest, "?look=studio&fileLights=0")), 1)
-        self.assertEqual(len(tags("", "?look=studio", "?look=studio@1", "?width=80", "?compress=small", "?channel=depth")), 6)
+        self.assertEqual(len(tags("", "?look=studio", "?look=technical", "?width=80", "?compress=small", "?channel=depth")), 6)
 
     def test_refused(self):
         """refusals say what to do"""
@@ -172,13 +172,13 @@ class Addresses(Folder):
         self.assert_problem(self.get(self.client.put(png)), 422, "PNG picture")
         self.assert_problem(self.get(self.client.put(b"")), 400, "is empty")
         self.assertEqual(self.get(self.client.put(b'{"polygons":'), "", "HEAD")[0], 400)
-        missing = b'{"look":"studio@2","meshes":[{"asset":"sha256:%s"}]}' % sha256(b"missing").encode()
+        missing = b'{"look":"studio@1","meshes":[{"asset":"sha256:%s"}]}' % sha256(b"missing").encode()
         self.assert_problem(self.get(self.client.put(missing)), 422, "no asset is kept")
 
     def test_assets(self):
         """a scene draws the files that it names by hash"""
         mesh = self.client.put(CUBE)
-        name = self.client.put(b'{"look":"studio@2","window":{"width":64,"height":48},"meshes":[{"asset":"sha256:%s"}]}' % mesh.encode())
+        name = self.client.put(b'{"look":"studio@1","window":{"width":64,"height":48},"meshes":[{"asset":"sha256:%s"}]}' % mesh.encode())
         self.assertEqual(self.get(name)[0], 200)
 
 
@@ -261,7 +261,7 @@ def scenes():
         if not os.path.basename(path).startswith("look-"):  # these are large
             with open(path, "rb") as file:
                 made.append((file.read(), QUERIES))
-    for look in (b"studio", b"studio@1", b"technical", b"metal@2", b"xray"):
+    for look in (b"studio", b"studio@1", b"technical", b"metal@1", b"xray"):
         for side in range(40, 44):
             made.append((SCENE.replace(b"64", b"%d" % side) % b'"look":"%s",' % look, QUERIES))
     while len(made) < 200:
@@ -326,7 +326,7 @@ class Cost(Folder):
 
     def test_cost(self):
         """work beyond costMaxMs is 422, as in a render, also for HEAD"""
-        scene = SCENE.replace(b"64", b"1000").replace(b"48", b"1000") % b'"look":"studio@2",'
+        scene = SCENE.replace(b"64", b"1000").replace(b"48", b"1000") % b'"look":"studio@1",'
         name = self.client.put(scene)
         self.assert_problem(self.get(name), 422, "costMaxMs")
         self.assertEqual(self.client.send("POST", "/v1/render", scene, Content_Type="application/json")[0], 422)

@@ -430,7 +430,7 @@ static cJSON *log_of(const char *accept, const char *scene, const char *id)
 
 static void assert_look_and_warnings(cJSON *root, double warnings)
 {
-    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "look")), "technical@2");
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "look")), "technical@1");
     assert_true(cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(root, "warnings")) == warnings);
     cJSON_Delete(root);
 }

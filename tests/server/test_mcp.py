@@ -439,7 +439,7 @@ class Http(unittest.TestCase):
         """A scene keeps its own window, view, look and views, and may name the model"""
         scene = {"meshes": [{"asset": "model"}], "window": {"width": 100, "height": 50}, "look": "clay", "view": {"eye": [60, 50, 40]}}
         content = self.call("render", model={"text": BOX}, scene=scene)["structuredContent"]
-        self.assertEqual((content["picture"]["width"], content["picture"]["height"], content["picture"]["look"]), (100, 50, "clay@2"))
+        self.assertEqual((content["picture"]["width"], content["picture"]["height"], content["picture"]["look"]), (100, 50, "clay@1"))
         self.assertEqual((content["views"][0]["projection"], content["views"][0]["unitsPerPixel"], content["views"][0]["eye"]), ("perspective", None, [60, 50, 40]))
         scene["views"] = ["front", "back"]
         self.assertEqual(len(images(self.call("render", model={"text": BOX}, scene=scene))), 2)
@@ -462,7 +462,7 @@ class Http(unittest.TestCase):
             self.assertEqual(own["structuredContent"]["volume"], 1000)
             if arguments:
                 self.assertEqual([image for image, _ in images(own)], [image for image, _ in images(self.call("render", model={"text": BOX}, **arguments))], scene)
-        self.assertEqual(own["structuredContent"]["picture"]["look"], "studio@2")  # of the sheet
+        self.assertEqual(own["structuredContent"]["picture"]["look"], "studio@1")  # of the sheet
         both = self.call("facts", model={"text": BOX}, scene={"polygons": [{"vertices": [[0, 0, 9], [1, 0, 9], [0, 1, 9]]}]})
         self.assertEqual(len(both["structuredContent"]["parts"]), 2)
 

@@ -110,7 +110,7 @@ class Case(daemon.Case):
 def send_mix(to):
     """Requests of many kinds: good ones, wrong ones, aborted ones, and bytes that are no HTTP."""
     for _ in range(3):
-        to.send("/v1/render?look=studio@2&width=40&height=30", SCENE, "POST", Content_Type="application/json")
+        to.send("/v1/render?look=studio@1&width=40&height=30", SCENE, "POST", Content_Type="application/json")
         to.send("/v1/render", SCENE, "POST", Content_Type="application/json")
     to.send("/v1/render", WARNED, "POST", Content_Type="application/json")
     to.send("/v1/render", b'{"polygons":[', "POST", Content_Type="application/json")

@@ -58,12 +58,12 @@ TEST(answers_tell_the_look_with_its_version)
     static const struct {
         const char *target, *type, *body, *look;
     } cases[] = {
-        {"/v1/render", "Content-Type: model/obj", TRIANGLE_OBJ, "studio@2"},
-        {"/v1/render?channel=depth", "Content-Type: model/stl", TRIANGLE_STL, "studio@2"},
-        {"/v1/render?look=technical", "Content-Type: model/obj", TRIANGLE_OBJ, "technical@2"},
+        {"/v1/render", "Content-Type: model/obj", TRIANGLE_OBJ, "studio@1"},
+        {"/v1/render?channel=depth", "Content-Type: model/stl", TRIANGLE_STL, "studio@1"},
+        {"/v1/render?look=technical", "Content-Type: model/obj", TRIANGLE_OBJ, "technical@1"},
         {"/v1/render?look=textbook@1", "Content-Type: model/obj", TRIANGLE_OBJ, "textbook@1"},
         {"/v1/render", NULL, "{\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}", "textbook@1"},
-        {"/v1/render", NULL, "{\"look\":\"dark\",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}", "dark@2"},
+        {"/v1/render", NULL, "{\"look\":\"dark\",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}", "dark@1"},
         {"/v1/render", NULL, "{\"polygons\":[]}", ""}}; /* refused: nothing was drawn */
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct reply reply = post(cases[i].target, cases[i].type, cases[i].body);

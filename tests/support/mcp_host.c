@@ -56,7 +56,7 @@ static void put_file(char **end, const char *name, const char *bytes, size_t siz
 static const char INFO[] =
     "{\"window\":{\"width\":640,\"height\":480},\"camera\":{\"worldToCamera\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,-5,1],"
     "\"projectionMatrix\":[1,0,0,0,0,1,0,0,0,0,-1,0,0,0,0,1],\"azimuthDegrees\":0,\"elevationDegrees\":0},"
-    "\"unit\":\"millimetre\",\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]},\"look\":\"studio@2\",\"picture\":"
+    "\"unit\":\"millimetre\",\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]},\"look\":\"studio@1\",\"picture\":"
     "{\"coveredShare\":0.5,\"touchesBorder\":false,\"colors\":9,\"blank\":false},\"parts\":[{\"name\":\"a\",\"id\":1,"
     "\"box\":{\"min\":[0,0,0],\"max\":[1,2,3]},\"triangles\":12,\"area\":22,\"volume\":6,\"closed\":true}],"
     "\"warnings\":[\"none\"]}";

@@ -274,7 +274,7 @@ class Picture(AbstractMapping):  # type: ignore[type-arg]
 
     @property
     def look(self) -> str:
-        """The look and its version, such as "studio@2"."""
+        """The look and its version, such as "studio@1"."""
         return str(self._made.look)
 
     @property

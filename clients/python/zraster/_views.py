@@ -169,7 +169,7 @@ class Views(AbstractSequence):  # type: ignore[type-arg]
 
     @property
     def look(self) -> str:
-        """The look and its version, such as "studio@2"."""
+        """The look and its version, such as "studio@1"."""
         return self._drawn.look
 
     @property

@@ -1,6 +1,6 @@
 /* query_plain.h - input: the parameters of a request in one spelling.
  *
- *     zr_query_plain    "width=800&color=%23F00&look=studio"  ->  {"look":"studio@2","width":800,"color":[1,0,0,1]}
+ *     zr_query_plain    "width=800&color=%23F00&look=studio"  ->  {"look":"studio@1","width":800,"color":[1,0,0,1]}
  *
  * Equal texts draw equal pictures of a file. The order of parameters, their escapes and the spelling of numbers, flags
  * and colours do not matter. A look has its version. Parameters at some defaults are left out.

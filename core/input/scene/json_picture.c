@@ -165,7 +165,7 @@ bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, void *
 /* ---- the environment ---- */
 
 /* Names of enum zr_environment_name, from 1 on. */
-static const char *const environments[] = {"studio", "outdoor", "studio@2", "metal@2", "outdoor@2"};
+static const char *const environments[] = {"studio", "metal", "outdoor"};
 static const struct zr_names environment_names = ZR_NAMES(ZR_ENVIRONMENT_COUNT - 1, environments);
 
 enum { FRAME_WORLD, FRAME_CAMERA, FRAMES };
@@ -188,7 +188,7 @@ static const struct zr_json_field environment_fields[] = {
     [ROTATION] = {"rotationDegrees", zr_json_number, AT(rotation_degrees), -ANGLE_MAX, ANGLE_MAX, .unit = "degrees",
                   .otherwise = "0", .text = "rotation around the up axis, counter-clockwise seen from above"},
     [FRAME] = {"frame", zr_json_choice, AT(frame), .words = &frame_names,
-               .otherwise = "camera for studios and metal, world for outdoor",
+               .otherwise = "camera for studio and metal, world for outdoor",
                .text = "camera: moves with the camera; world: up is the scene's, and front is the camera's side"}};
 #undef AT
 const struct zr_json_object zr_json_object_environment = ZR_JSON_OBJECT_OF("environment", environment_fields);

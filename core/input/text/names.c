@@ -69,9 +69,34 @@ struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char
     return refusal;
 }
 
+/* Returns whether `word` is the look's name, followed by @. */
+static bool has_name_of(const char *word, const struct zr_look *look)
+{
+    const size_t length = strlen(look->name);
+    return strncmp(word, look->name, length) == 0 && word[length] == '@';
+}
+
+/* Refuses an unknown version of a look. False: `word` is the name of no look, followed by @. */
+static bool refuse_version(const char *word, struct zr_names_refusal *refusal)
+{
+    const char *name = NULL;
+    struct zr_names_text versions = {""};
+    for (int i = 0; i < zr_look_count; i++) {
+        if (!has_name_of(word, &zr_looks[i])) continue;
+        name = zr_looks[i].name;
+        zr_names_text_add(&versions, zr_look_pin_of(&zr_looks[i]).text);
+    }
+    if (!name) return false;
+    snprintf(refusal->text, sizeof refusal->text, "%s is unknown; versions of %s: %.200s",
+             zr_quote(word, strlen(word)).text, name, versions.text);
+    return true;
+}
+
 /* Versions of a look are adjacent and share a name, which is listed once. */
 struct zr_names_refusal zr_looks_refuse(const char *word)
 {
+    struct zr_names_refusal refusal;
+    if (refuse_version(word, &refusal)) return refusal;
     enum { NAMES_MOST = 64 };
     const char *words[NAMES_MOST];
     struct zr_names names = {.words = words};
@@ -79,7 +104,7 @@ struct zr_names_refusal zr_looks_refuse(const char *word)
         if (names.count == 0 || strcmp(words[names.count - 1], zr_looks[i].name) != 0)
             words[names.count++] = zr_looks[i].name;
     names.all = names.count;
-    struct zr_names_refusal refusal = zr_names_refuse(&names, word);
+    refusal = zr_names_refuse(&names, word);
     const size_t used = strlen(refusal.text);
     snprintf(refusal.text + used, sizeof refusal.text - used, "; or one of these with @ and a version that it has");
     return refusal;

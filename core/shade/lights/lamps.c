@@ -133,8 +133,7 @@ void zr_linear_lighting_make(struct zr_arena *arena, const struct zr_scene *scen
                                             .to_eye = {eye.x, eye.y, eye.z},
                                             .tone = picture->tone,
                                             .exposure = picture->exposure,
-                                            .gooch = picture->gooch,
-                                            .xray = picture->xray};
+                                            .gooch = picture->gooch};
     lighting->has_environment = zr_environment_make(picture->environment.name, &lighting->environment);
     set_nearness(camera, bounds, lighting);
     if (!lamps) return;

@@ -27,7 +27,6 @@ struct zr_linear_lighting {
     enum zr_tone tone;
     float exposure;
     struct zr_gooch gooch;
-    struct zr_xray_opacity xray;
 };
 
 /* Writes the colours of all samples to out[0..2], laid out like the samples. Up to 15 values beyond each row's end may

@@ -43,7 +43,7 @@ ZR_INLINED struct zr_vec3_v zr_shade_classic_v(const struct zr_linear_lighting *
     return zr_add_v(zr_mul_v(s->base, zr_add_v(reaching, direct)), shine);
 }
 
-/* Shades from the material's cool colour, on the side away from a lamp at the upper left, to the surface's own colour.
+/* Shades from the surface's colour times the material's cool one, on the side away from a lamp at the upper left, to the surface's own colour.
  * Creases are darkened. Source: Gooch and others, "A Non-Photorealistic Lighting Model For Automatic Technical
  * Illustration", 1998. */
 ZR_INLINED struct zr_vec3_v zr_shade_gooch_v(const struct zr_gooch *gooch, struct zr_vec3_v cool,
@@ -53,8 +53,7 @@ ZR_INLINED struct zr_vec3_v zr_shade_gooch_v(const struct zr_gooch *gooch, struc
     const zr_vf half = zr_vf_set(0.5f);
     const zr_vf facing = zr_clamp01_v(half + half * zr_dot_v(s->normal, zr_spread_v(to_lamp)));
     const zr_vf share = ZR_MUTANT(gooch_linear, facing * zr_vf_sqrt(facing), facing);
-    const struct zr_vec3_v away = gooch->tints_cool ? zr_mul_v(cool, s->base) : cool;
-    const struct zr_vec3_v color = zr_mix3_v(away, s->base, share);
+    const struct zr_vec3_v color = zr_mix3_v(zr_mul_v(cool, s->base), s->base, share);
     const zr_vf ao = s->textured ? s->ao * s->textured->occlusion : s->ao;
     return zr_scale_v(color, zr_vf_set(gooch->least) + zr_vf_set(gooch->rise) * ao);
 }

@@ -3,8 +3,9 @@
  * The opacity a of a layer depends on the cosine c between its normal and the direction to the eye. It rises towards
  * grazing angles:
  *
- *     a = least + rise (1 - |c|)^2, or ^3        (struct zr_xray_opacity)
+ *     a = (0.11 + 0.56 (1 - |c|)^2) (1 - x / 2)
  *
+ * x is that of the normal once turned towards the eye: walls that face left are denser, so that sides of a part differ.
  * Several layers transmit the product of all 1 - a, in any order. If all have one colour, the picture is that colour
  * mixed with the background by the product. Several colours are blended like other layers (render/layers.h).
  */

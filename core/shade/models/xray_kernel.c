@@ -14,19 +14,18 @@ static inline zr_vm find_xrays(const struct zr_material *materials, const uint32
 }
 
 /* Returns 1 - lean x, where x is that of the normal once turned towards the eye: to the right in the picture. */
-static inline zr_vf leaned(const struct zr_xray_opacity *xray, struct zr_vec3_v normal, zr_vf cosine)
+static inline zr_vf leaned(struct zr_vec3_v normal, zr_vf cosine)
 {
-    const float lean = ZR_MUTANT(xray_upright, xray->lean, 0.0f);
+    const float lean = ZR_MUTANT(xray_upright, 0.5f, 0.0f);
     const zr_vf right = zr_vf_set(lean) * normal.x, zero = zr_vf_set(0.0f);
     return zr_vf_set(1.0f) + zr_vf_select(zr_vf_lt(cosine, zero), right, zero - right);
 }
 
-static inline zr_vf opacity_of(const struct zr_xray_opacity *xray, struct zr_vec3_v normal, zr_vf cosine)
+static inline zr_vf opacity_of(struct zr_vec3_v normal, zr_vf cosine)
 {
     const zr_vf along = zr_clamp01_v(zr_vf_set(1.0f) - zr_vf_abs(cosine));
-    const zr_vf cube = ZR_MUTANT(xray_squared, along * along * along, along * along);
-    const zr_vf own = zr_vf_set(xray->least) + zr_vf_set(xray->rise) * (xray->is_square ? along * along : cube);
-    return xray->lean > 0.0f ? zr_clamp01_v(own * leaned(xray, normal, cosine)) : own;
+    const zr_vf power = ZR_MUTANT(xray_cubed, along * along, along * along * along);
+    return zr_clamp01_v((zr_vf_set(0.11f) + zr_vf_set(0.56f) * power) * leaned(normal, cosine));
 }
 
 void ZR_KERNEL(zr_xray)(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples, float *opacity)
@@ -42,7 +41,7 @@ void ZR_KERNEL(zr_xray)(const struct zr_linear_lighting *lighting, const struct 
             const zr_vm xrays = zr_vm_andnot(find_xrays(lighting->materials, samples->material + at, seen), is_line);
             const struct zr_vec3_v to_eye = zr_to_eye_v(lighting, zr_three_of(samples->point, at));
             const zr_vf own = zr_vf_load(opacity + at), cosine = zr_dot_v(normal, to_eye);
-            zr_vf_store(opacity + at, zr_vf_select(xrays, own * opacity_of(&lighting->xray, normal, cosine), own));
+            zr_vf_store(opacity + at, zr_vf_select(xrays, own * opacity_of(normal, cosine), own));
         }
     }
 }

@@ -105,7 +105,7 @@ static void run(struct zr_arena *arena, const struct zr_request *request, const 
 
 int main(int argc, char **argv)
 {
-    static const char *const looks[] = {"textbook", "studio", "technical", "metal", "technical@2"};
+    static const char *const looks[] = {"textbook", "studio", "technical", "metal"};
     static const struct {
         const char *width, *height;
     } sizes[] = {{"64", "48"}, {"640", "480"}, {"1920", "1080"}};

@@ -115,8 +115,7 @@ struct uniforms {
     float exposure, toe, environment, intensity, lamp_count;
     float to_environment[3][3];
     zr_vec4 middle;
-    zr_vec3 gooch;
-    zr_vec4 xray;
+    float gooch[2];
     float lamp_to[LOOK_LAMPS_MAX][3];
     float lamp_place[LOOK_LAMPS_MAX][4], lamp_spot[LOOK_LAMPS_MAX][4], lamp_end[LOOK_LAMPS_MAX][2];
     zr_vec3 lamp_color[LOOK_LAMPS_MAX], lamp_ground[LOOK_LAMPS_MAX], lamp_kind[LOOK_LAMPS_MAX];
@@ -218,10 +217,9 @@ static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
         for (int k = 0; k < 2; k++)
             u->split[i][k] = zr_dfg_table[i / ZR_DFG_SIDE][k][i % ZR_DFG_SIDE];
     const struct zr_gooch *gooch = &scene->picture->gooch;
-    const struct zr_xray_opacity *xray = &scene->picture->xray;
     u->middle = middle_of(twin);
-    u->gooch = (zr_vec3){gooch->tints_cool, gooch->least, gooch->rise};
-    u->xray = (zr_vec4){xray->least, xray->rise, xray->is_square ? 2.0f : 3.0f, xray->lean};
+    u->gooch[0] = gooch->least;
+    u->gooch[1] = gooch->rise;
     set_lamps(twin, u);
 }
 
@@ -237,8 +235,7 @@ const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin)
         {"intensity", 1, 1, &u.intensity},
         {"to_environment", 3, 3, u.to_environment[0]},
         {"middle", 4, 1, &u.middle.x},
-        {"gooch", 3, 1, &u.gooch.x},
-        {"xray", 4, 1, &u.xray.x},
+        {"gooch", 2, 1, u.gooch},
         {"lamp_count", 1, 1, &u.lamp_count},
         {"lamp_to", 3, LOOK_LAMPS_MAX, u.lamp_to[0]},
         {"lamp_color", 3, LOOK_LAMPS_MAX, &u.lamp_color[0].x},
@@ -355,7 +352,7 @@ static double dither_of(const struct zr_scene *scene, uint32_t x, uint32_t row)
 {
     static const int pattern[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
     const uint32_t y = scene->views[0].height - 1 - row;
-    if (!scene->picture->has_gradient || !scene->picture->dithers) return 0.0;
+    if (!scene->picture->has_gradient) return 0.0;
     return ((pattern[y & 3][x & 3] + 0.5) / 16.0 - 0.5) / 255.0;
 }
 

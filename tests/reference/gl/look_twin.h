@@ -37,7 +37,7 @@ bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, 
 unsigned look_program(const char *fixed, struct reference_error *error);
 
 /* All that it has as uniforms of the whole picture. They stand until the next call. */
-enum { LOOK_UNIFORMS = 19 };
+enum { LOOK_UNIFORMS = 18 };
 const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin);
 enum { LOOK_LAMPS_MAX = 64 };
 

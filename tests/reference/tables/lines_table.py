@@ -2,7 +2,7 @@
 
     lines_table.py BUILD MODELS TARGETS
 
-MODELS: a folder of OBJ files and its folder `parts`. TARGETS: pictures lines-MODEL.png over the shading of technical@1,
+MODELS: a folder of OBJ files and its folder `parts`. TARGETS: pictures lines-MODEL.png over the shading of technical,
 or lines-MODEL-hidden.png on white with hidden lines. Exits with 1 if a bar does not hold:
 
     specks   connected ink of fewer than 12 pixels, by model
@@ -26,7 +26,7 @@ from looks_table import read_png
 SIZE = (640, 480)
 SPECK_PIXELS, RMS_MOST, NEAR_LEAST, DARK, INK = 12, 5.0, 99.5, 128, 192
 SPECKS_MOST = {"gear": 0, "housing": 0, "plate": 0, "beetle": 1, "stanford-bunny": 1, "suzanne": 1}
-WHITE = {"look": "technical@1", "shading": "unlit", "occlusion": False, "samples": 1, "background": "#ffffff",
+WHITE = {"look": "technical", "shading": "unlit", "occlusion": False, "samples": 1, "background": "#ffffff",
          "materials": [{"name": "white", "baseColorFactor": [1, 1, 1, 1], "doubleSided": True}]}
 BESIDE = {"color": "#000000", "from": "mesh"}
 
@@ -102,7 +102,7 @@ def measure_targets(renderer, models, targets):
             print("left out: no model for", name, file=sys.stderr)
             continue
         edges = {"from": "mesh", "hiddenLines": is_hidden}
-        keys = {**WHITE, "edges": edges} if is_hidden else {"look": "technical@1", "edges": edges}
+        keys = {**WHITE, "edges": edges} if is_hidden else {"look": "technical", "edges": edges}
         off = read_png(renderer.draw(models[model], keys, "png")) - read_png(os.path.join(targets, name))
         rms = float(numpy.sqrt(numpy.mean(off * off)))
         good &= rms <= RMS_MOST

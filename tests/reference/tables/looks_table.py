@@ -1,9 +1,9 @@
-"""Measures the second versions of looks beside the first, and beside target pictures.
+"""Measures the looks, and compares them with target pictures.
 
     looks_table.py BUILD MODELS TARGETS
 
 MODELS: a folder of OBJ files and its folder `parts`. TARGETS: pictures LOOK-MODEL.png, or LOOK-MODEL-below.png from
-below. Prints tables, then a line `pass` or `FAIL` for each bar and second version, and exits with 1 if one fails:
+below. Prints tables, then a line `pass` or `FAIL` for each bar and look, and exits with 1 if one fails:
     targets    RMS of at most 4 of 255. Targets of looks with lines of the mesh have edges from samples, and so have the
                pictures beside them; lines_table.py compares the lines
     light      percentiles of the luminance of objects, near those that the look aims at
@@ -25,7 +25,7 @@ import numpy
 SIDE = 480
 LINED = ("technical", "blueprint")
 RMS_MOST, CLIPPED_MOST, APART_LEAST, TURNED_MOST = 4.0, 0.5, 12, 1.0
-# Median, 5th and 95th percentile of the luminance of objects that second versions aim at, and how far they may be off.
+# Median, 5th and 95th percentile of the luminance of objects that looks aim at, and how far they may be off.
 # What lines alone decide has no bar.
 AIMS = {"studio": (160, 100, 201), "clay": (171, 107, 209), "dark": (185, 117, 228), "metal": (157, 84, 223),
         "outdoor": (188, 122, 212), "xray": (204, 160, 224), "blueprint": (112, 77, None),
@@ -144,15 +144,15 @@ def compare_targets(renderer, models, targets, bars):
             print("left out: no model for", name, file=sys.stderr)
             continue
         if look in LINED:
-            drawn = renderer.draw_with_samples(models[model], look + "@2", 480, 360)
+            drawn = renderer.draw_with_samples(models[model], look, 480, 360)
         else:
             view = view_of(look, BELOW if name.endswith("-below.png") else ABOVE)
-            drawn, _ = renderer.draw(models[model], look + "@2", "480x360", view, "faceId")
+            drawn, _ = renderer.draw(models[model], look, "480x360", view, "faceId")
         target = read_png(os.path.join(targets, name))
         worst[look] = max(worst.get(look, 0), rms(drawn, target))
         print("%-28s %6.3f %7.3f %%" % (name, rms(drawn, target), 100 * numpy.mean(numpy.abs(drawn - target).max(2) > 2)))
     for look, off in worst.items():
-        bars.hold(look + "@2", "targets", "RMS %.2f" % off, off <= RMS_MOST)
+        bars.hold(look, "targets", "RMS %.2f" % off, off <= RMS_MOST)
 
 
 def turn(path, folder):
@@ -216,23 +216,20 @@ def faces_apart(renderer, cube, look, angles):
 
 def hold_light(bars, look, row):
     off = max(abs(got - aim) for got, aim in zip(row, AIMS[look]) if aim is not None)
-    bars.hold(look + "@2", "light", "%.0f %.0f %.0f, off by up to %.0f" % (*row[:3], off), off <= AIM_WITHIN)
-    bars.hold(look + "@2", "clipped", "%.2f %%" % row[3], row[3] <= CLIPPED_MOST)
+    bars.hold(look, "light", "%.0f %.0f %.0f, off by up to %.0f" % (*row[:3], off), off <= AIM_WITHIN)
+    bars.hold(look, "clipped", "%.2f %%" % row[3], row[3] <= CLIPPED_MOST)
 
 
 def print_light(renderer, models, bars):
     print("# luminance of objects, mean of %d models; clipped: worst model, %%" % len(models))
     print("# look        median    5 %   95 %  clipped   least difference of faces of a cube: isometric, of 8 views")
     for look in AIMS:
-        for version in (1, 2):
-            name = "%s@%d" % (look, version)
-            row = measure(renderer, models.values(), name)
-            apart = [faces_apart(renderer, models["cube"], name, a) for a in ANGLES] if "cube" in models else []
-            print("%-13s %6.0f %6.0f %6.0f %7.2f  %6.1f %6.1f" % (name, *row, *((apart[0], min(apart)) if apart else (0, 0))))
-            if version == 2:
-                hold_light(bars, look, row)
-            if version == 2 and apart and look not in SEE_THROUGH:
-                bars.hold(name, "faces", "%.1f" % apart[0], apart[0] >= APART_LEAST)
+        row = measure(renderer, models.values(), look)
+        apart = [faces_apart(renderer, models["cube"], look, a) for a in ANGLES] if "cube" in models else []
+        print("%-13s %6.0f %6.0f %6.0f %7.2f  %6.1f %6.1f" % (look, *row, *((apart[0], min(apart)) if apart else (0, 0))))
+        hold_light(bars, look, row)
+        if apart and look not in SEE_THROUGH:
+            bars.hold(look, "faces", "%.1f" % apart[0], apart[0] >= APART_LEAST)
 
 
 def main():
@@ -253,7 +250,7 @@ def main():
             print("SKIPPED: no targets in %s (TARGETS=FOLDER)" % targets, file=sys.stderr)
         print_light(renderer, models, bars)
         for look in AIMS if "housing" in models else []:
-            compare_turned(renderer, models["housing"], look + "@2", bars)
+            compare_turned(renderer, models["housing"], look, bars)
     return 0 if bars.print() else 1
 
 

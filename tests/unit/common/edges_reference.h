@@ -38,8 +38,12 @@ static void begin_picture(uint32_t width, uint32_t height, uint32_t side, bool i
 {
     picture.width = width, picture.height = height, picture.side = side;
     picture.columns = (int)(width * side), picture.rows = (int)(height * side);
-    picture.edges = (struct zr_edges){
-        .is_on = true, .width = 1.5f, .crease_degrees = 30.0f, .silhouette_opacity = 1.0f, .crease_opacity = 0.85f};
+    picture.edges = (struct zr_edges){.is_on = true,
+                                      .width = 1.5f,
+                                      .keeps_width = true,
+                                      .crease_degrees = 30.0f,
+                                      .silhouette_opacity = 1.0f,
+                                      .crease_opacity = 0.85f};
     /* 20 pixels a unit; of a perspective, at a depth of 1 */
     picture.scale = (struct zr_pixel_scale){20.0f, {0.0f, 0.0f, is_parallel ? 0.0f : -1.0f}, is_parallel ? 1.0f : 0.0f};
     const struct sample nobody = {0, {0, 0, 0}, {1e18f, 1e18f, 1e18f}};

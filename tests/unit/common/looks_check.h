@@ -23,7 +23,7 @@ static inline bool is_same_rgb(zr_vec3 a, zr_vec3 b)
 }
 
 /* Member by member: what is between them has no value. */
-_Static_assert(sizeof(struct zr_picture) == 176, "a new member is compared here, too");
+_Static_assert(sizeof(struct zr_picture) == 144, "a new member is compared here, too");
 static inline bool is_same_picture(const struct zr_picture *a, const struct zr_picture *b)
 {
     const struct zr_environment *ea = &a->environment, *eb = &b->environment;
@@ -33,17 +33,13 @@ static inline bool is_same_picture(const struct zr_picture *a, const struct zr_p
            ea->camera_frame == eb->camera_frame && a->tone == b->tone && a->exposure == b->exposure &&
            a->occlusion.is_on == b->occlusion.is_on && a->occlusion.radius == b->occlusion.radius &&
            a->occlusion.strength == b->occlusion.strength && a->has_ground == b->has_ground &&
-           a->softens_ground == b->softens_ground && a->has_ground_sun == b->has_ground_sun &&
-           a->dithers == b->dithers && a->edges.silhouette_opacity == b->edges.silhouette_opacity &&
-           a->edges.crease_opacity == b->edges.crease_opacity && a->edges.scales_width == b->edges.scales_width &&
-           a->edges.scales_specks == b->edges.scales_specks && a->gooch.tints_cool == b->gooch.tints_cool &&
-           a->gooch.least == b->gooch.least && a->gooch.rise == b->gooch.rise && a->xray.least == b->xray.least &&
-           a->xray.rise == b->xray.rise && a->xray.is_square == b->xray.is_square && a->xray.lean == b->xray.lean &&
-           a->edges.is_on == b->edges.is_on && is_same_rgb(a->edges.color, b->edges.color) &&
-           a->edges.width == b->edges.width && a->edges.crease_degrees == b->edges.crease_degrees &&
-           a->crease_degrees == b->crease_degrees && a->edges.is_from_mesh == b->edges.is_from_mesh &&
-           a->edges.has_hidden == b->edges.has_hidden && a->edges.ignores_normals == b->edges.ignores_normals &&
-           a->z_is_up == b->z_is_up;
+           a->has_ground_sun == b->has_ground_sun && a->edges.silhouette_opacity == b->edges.silhouette_opacity &&
+           a->edges.crease_opacity == b->edges.crease_opacity && a->edges.keeps_width == b->edges.keeps_width &&
+           a->gooch.least == b->gooch.least && a->gooch.rise == b->gooch.rise && a->edges.is_on == b->edges.is_on &&
+           is_same_rgb(a->edges.color, b->edges.color) && a->edges.width == b->edges.width &&
+           a->edges.crease_degrees == b->edges.crease_degrees && a->crease_degrees == b->crease_degrees &&
+           a->edges.is_from_mesh == b->edges.is_from_mesh && a->edges.has_hidden == b->edges.has_hidden &&
+           a->edges.ignores_normals == b->edges.ignores_normals && a->z_is_up == b->z_is_up;
 }
 
 #endif

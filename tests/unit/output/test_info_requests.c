@@ -58,11 +58,11 @@ TEST_AROUND(info_has_the_default_views_of_looks, open_arena, close_arena)
     cJSON *info = info_of_text(ZR_FORMAT_OBJ, obj, NULL);
     assert_angles(info, "y", 35, 28);
     assert_non_null(cJSON_GetObjectItem(cJSON_GetObjectItem(info, "camera"), "eye"));
-    assert_string_equal(cJSON_GetObjectItem(info, "look")->valuestring, "studio@2");
+    assert_string_equal(cJSON_GetObjectItem(info, "look")->valuestring, "studio@1");
     cJSON_Delete(info);
     info = info_of_text(ZR_FORMAT_STL, stl, "outdoor");
     assert_angles(info, "y", 35, 28); /* the mesh is turned, and the world with it */
-    assert_string_equal(cJSON_GetObjectItem(info, "look")->valuestring, "outdoor@2");
+    assert_string_equal(cJSON_GetObjectItem(info, "look")->valuestring, "outdoor@1");
     cJSON_Delete(info);
     info = info_of_text(ZR_FORMAT_OBJ, obj, "technical");
     assert_angles(info, "y", 45, 35.264);

@@ -136,7 +136,7 @@ TEST(a_mesh_is_drawn_as_lines_in_the_look_technical)
     assert_read(mesh);
     const struct zr_answer answer = scene_encode(&arena, NULL, mesh->scene);
     assert_string_equal(answer.content_type, "image/svg+xml");
-    assert_string_equal(answer.look, "technical@2");
+    assert_string_equal(answer.look, "technical@1");
     reading_free(mesh);
 }
 

@@ -35,7 +35,7 @@ static void open_cloud(struct cloud *cloud, uint32_t count)
                                    .point_count = count,
                                    .points = cloud->points};
     cloud->instance = (struct zr_instance){.object_to_world = zr_mat4_identity()};
-    cloud->scene = (struct zr_scene){.look = zr_look_find("technical@1"),
+    cloud->scene = (struct zr_scene){.look = zr_look_find("blueprint"),
                                      .mesh_count = 1,
                                      .meshes = &cloud->mesh,
                                      .instance_count = 1,
@@ -130,7 +130,7 @@ TEST_AROUND(clouds_have_no_edges_but_their_ink, open_arena, close_arena)
     zr_cloud_draw_in_ink(&query);
     const zr_vec3 ink = cloud.scene.picture->edges.color;
     assert_true(zr_vec4_equal(cloud.material.base_color, (zr_vec4){ink.x, ink.y, ink.z, 1}));
-    const struct zr_look *old = cloud.scene.look, *with_cloud = zr_look_find("technical@2");
+    const struct zr_look *old = cloud.scene.look, *with_cloud = zr_look_find("technical");
     cloud.scene.look = with_cloud; /* its ink hides what lies in front; another ink that is given is kept */
     cloud.picture.merged.edges.color = with_cloud->picture->edges.color;
     zr_cloud_draw_in_ink(&query);
@@ -159,7 +159,7 @@ TEST_AROUND(lines_alone_have_the_looks_colour_of_lines, open_arena, close_arena)
     cloud.mesh.line_count = 1;
     zr_wire_color(&query); /* this look has none */
     assert_true(zr_vec4_equal(cloud.material.base_color, own));
-    cloud.scene.look = zr_look_find("clay@2");
+    cloud.scene.look = zr_look_find("clay");
     cloud.mesh.face_count = 1;
     zr_wire_color(&query);
     assert_true(zr_vec4_equal(cloud.material.base_color, own));

@@ -99,65 +99,64 @@ static void fill(int left, int bottom, int right, int top, zr_vec3 normal, float
 
 static const zr_vec3 front = {0, 0, 1}, bent = {0.6f, 0, 0.8f};
 
-TEST_EACH_ISA(creases_are_dropped_up_to_12_pixels)
+TEST_EACH_ISA(creases_are_dropped_up_to_5_pixels)
 {
     const enum zr_isa isa = isa_under_test(state);
-    /* Creases are a sample wider at both ends than what is bent, which begins in the second sample of a pixel: 23
-     * samples more fill 13 pixels, 22 fill 12. */
+    /* Creases are a sample wider at both ends than what is bent, which begins in the second sample of a pixel: 9
+     * samples more fill 6 pixels, 8 fill 5. */
     static const struct {
         int width, height;
         bool is_drawn;
-    } cases[] = {{22, 22, false}, {23, 3, true}, {3, 23, true}, {22, 2, false}, {1, 1, false}};
+    } cases[] = {{8, 8, false}, {9, 3, true}, {3, 9, true}, {8, 2, false}, {1, 1, false}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         begin_picture(80, 80, 2, true);
         fill(0, 0, 160, 160, front, 4.0f);
-        for (int y = 0; y < 23; y++) /* across the corner of four tiles */
-            for (int x = 0; x < 23; x++)
-                if (x < cases[i].width && y < cases[i].height) picture.samples[(55 + y) * MOST + 55 + x].normal = bent;
+        for (int y = 0; y < 9; y++) /* across the corner of four tiles */
+            for (int x = 0; x < 9; x++)
+                if (x < cases[i].width && y < cases[i].height) picture.samples[(59 + y) * MOST + 59 + x].normal = bent;
         const float *opacity = find_edges(isa, 2, false);
         assert_true((mean_of(opacity) > 0.0) == cases[i].is_drawn);
     }
 }
 
-/* Of two creases, 6 and 8 pixels wide, the corners of one touch the other, or are a pixel away. */
+/* Of two creases, 3 and 4 pixels wide, the corners of one touch the other, or are a pixel away. */
 TEST_EACH_ISA(corners_that_touch_connect)
 {
     const enum zr_isa isa = isa_under_test(state);
     for (int gap = 0; gap < 2; gap++) {
         begin_picture(70, 70, 1, true);
         fill(0, 0, 70, 70, front, 4.0f);
-        for (int i = 0; i < 4; i++)
-            picture.samples[61 * MOST + 56 + i].normal = bent;
-        for (int i = 0; i < 6; i++)
+        picture.samples[61 * MOST + 59].normal = bent;
+        for (int i = 0; i < 2; i++)
             picture.samples[63 * MOST + 61 + gap + i].normal = bent;
         const float *opacity = find_edges(isa, 1, false);
         assert_true((mean_of(opacity) > 0.0) == (gap == 0));
     }
 }
 
-/* Of each pixel in a row one sample is bent, so that marks of no two pixels touch: 13 pixels, and 12. */
+/* Of each pixel in a row one sample is bent, so that marks of no two pixels touch: 6 pixels, and 5. */
 TEST_EACH_ISA(creases_connect_by_pixels)
 {
     const enum zr_isa isa = isa_under_test(state);
     for (uint32_t side = 4; side <= 8; side *= 2)
-        for (int pixels = 12; pixels <= 13; pixels++) {
+        for (int pixels = 5; pixels <= 6; pixels++) {
             begin_picture(40, 20, side, true);
             fill(0, 0, picture.columns, picture.rows, front, 4.0f);
             for (int i = 0; i < pixels; i++)
                 picture.samples[(9 * (int)side + 1) * MOST + (5 + i) * (int)side + 1].normal = bent;
             const float *opacity = find_edges(isa, 2, false);
-            assert_true((mean_of(opacity) > 0.0) == (pixels == 13));
+            assert_true((mean_of(opacity) > 0.0) == (pixels == 6));
         }
 }
 
-/* Two creases of 8 pixels, and between them 8 more where what is bent is also nearer: a silhouette alone. */
+/* Two creases of 5 pixels, and between them 8 more where what is bent is also nearer: a silhouette alone. */
 TEST_EACH_ISA(silhouettes_connect_no_creases)
 {
     const enum zr_isa isa = isa_under_test(state);
     for (int step = 0; step < 2; step++) {
         begin_picture(60, 40, 1, true);
         fill(0, 0, 60, 40, front, 4.0f);
-        for (int x = 10; x < 34; x++)
+        for (int x = 13; x < 31; x++)
             picture.samples[20 * MOST + x] = (struct sample){1, bent, point_on(x, 20, front, 4.0f)};
         for (int x = 17; x < 27; x++)
             if (step) picture.samples[20 * MOST + x].point.z = -3.0f;
@@ -201,7 +200,7 @@ TEST_EACH_ISA(nothing_has_no_edges)
 
 TEST(widths_grow_with_the_window)
 {
-    const struct zr_edges fixed = {.width = 1.5f}, growing = {.width = 1.5f, .scales_width = true};
+    const struct zr_edges fixed = {.width = 1.5f, .keeps_width = true}, growing = {.width = 1.5f};
     static const struct {
         uint32_t width, height;
         double pixels;
@@ -214,17 +213,19 @@ TEST(widths_grow_with_the_window)
     }
 }
 
-/* In a window of 80 pixels, 5 pixels are the limit instead of 12. */
 TEST(specks_grow_with_the_window)
 {
-    for (int size = 4; size < 16; size++)
-        for (int scales = 0; scales < 2; scales++) {
-            begin_picture(80, 80, 1, true);
-            picture.edges.scales_specks = scales;
-            fill(0, 0, 80, 80, front, 4.0f);
+    static const struct {
+        uint32_t side;
+        int pixels;
+    } cases[] = {{80, 5}, {400, 8}, {512, 10}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int size = 4; size < 13; size++) {
+            begin_picture(cases[i].side, cases[i].side, 1, true);
+            fill(0, 0, picture.columns, picture.rows, front, 4.0f);
             for (int y = 0; y < size - 2; y++) /* creases are a sample wider at both ends */
                 picture.samples[(30 + y) * MOST + 30].normal = bent;
-            assert_true((mean_of(find_edges(ZR_ISA_SCALAR, 1, false)) > 0.0) == (size > (scales ? 5 : 12)));
+            assert_true((mean_of(find_edges(ZR_ISA_SCALAR, 1, false)) > 0.0) == (size > cases[i].pixels));
         }
 }
 
