@@ -120,19 +120,11 @@ static double bytes_of_layers(const struct zr_scene *scene, double samples, doub
     return (double)sizeof(struct zr_layers) + kept / tiles * FRAGMENT_BYTES;
 }
 
-/* Bytes of shadow maps: each is held twice, as drawn and with a border, in separate blocks. */
+/* Bytes of shadow maps: each is held twice, as drawn and with a border. */
 static double bytes_of_lamp_maps(uint32_t maps)
 {
-    const size_t drawn = ZR_SHADOW_SIDE, bordered = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
-    return (double)maps * (double)(zr_arena_block_bytes(drawn * drawn * WORD_BYTES) +
-                                   zr_arena_block_bytes(bordered * bordered * WORD_BYTES));
-}
-
-/* Bytes of an array of words, with the free end of its block if it has one of its own. */
-static double bytes_of_words(double count)
-{
-    const double bytes = WORD_BYTES * count;
-    return bytes < ZR_ARENA_BLOCK || bytes > 1e15 ? bytes : (double)zr_arena_block_bytes((size_t)bytes);
+    const double drawn = ZR_SHADOW_SIDE, bordered = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
+    return (double)maps * (drawn * drawn + bordered * bordered) * WORD_BYTES;
 }
 
 /* True if edges are lines of the mesh. */
@@ -185,7 +177,7 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
         sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
     if (passes->samples == 0.0 || !picture->is_linear) return sum;
     sum += pixels * LINEAR_BYTES + bytes_of_lamp_maps(passes->lamp_maps);
-    if (picture->occlusion.is_on) sum += (GBUFFER_ARRAYS + OCCLUSION_ARRAYS) * bytes_of_words(pixels);
+    if (picture->occlusion.is_on) sum += (GBUFFER_ARRAYS + OCCLUSION_ARRAYS) * WORD_BYTES * pixels;
     if (draws_lines(picture))
         sum += pixels * WORD_BYTES + bytes_of_cells(view, pixels, fragments);
     else if (picture->edges.is_on)
