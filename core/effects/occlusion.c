@@ -7,14 +7,14 @@
 static const int bayer[ZR_OCCLUSION_TILE][ZR_OCCLUSION_TILE] = {
     {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
 
-/* Pixel i of 16 rotates its directions by i / 16 of the angle between two. It shifts its steps by sixteenths in another
+/* Pixel i of 16 rotates its axes by i / 16 of the angle between two. It shifts its steps by sixteenths in another
  * order, so that few pixels share both. Squaring puts more steps near the pixel. */
 static void set_pattern(struct zr_occlusion_work *work, int y, int x)
 {
     const int i = bayer[y][x % ZR_OCCLUSION_TILE];
-    for (int k = 0; k < ZR_OCCLUSION_DIRECTIONS; k++) {
+    for (int k = 0; k < ZR_OCCLUSION_AXES; k++) {
         double sine, cosine;
-        zr_sine_cosine(360.0 / ZR_OCCLUSION_DIRECTIONS * (k + i / 16.0), &sine, &cosine);
+        zr_sine_cosine(180.0 / ZR_OCCLUSION_AXES * (k + i / 16.0), &sine, &cosine);
         work->sine[y][k][x] = (float)sine;
         work->cosine[y][k][x] = (float)cosine;
     }
@@ -74,7 +74,7 @@ const float *zr_occlusion_make(const struct zr_run *run, const struct zr_gbuffer
     work->pixels = pixels;
     work->scale = *scale;
     work->radius = radius;
-    work->over_square_radius = 1.0f / (radius * radius);
+    work->over_radius = 1.0f / radius;
     work->strength = occlusion->strength;
     work->plane_limit = ZR_OCCLUSION_PLANE * diagonal;
     for (int y = 0; y < ZR_OCCLUSION_TILE; y++)

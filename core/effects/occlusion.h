@@ -2,8 +2,9 @@
  *
  * In:     the G-buffer of pixel centres (owner, normal, point). Out: one float per pixel, 0 (dark) .. 1 (open), in the
  *         layout of the G-buffer; 1 for uncovered pixels and lines.
- * How:    8 directions of 4 steps, interleaved over 4 x 4 pixels, then a separable 5 x 5 blur over pixels on the same
- *         plane. Samples interpolate the four nearest pixel centres: bilinear weights, divided by the squared distance
+ * How:    4 axes, each in both directions, of 4 steps, interleaved over 4 x 4 pixels. Each point found is the top of a
+ *         column on the plane of the pixel's point, which hides light as in a height field. Then a separable 5 x 5 blur
+ *         over pixels on the same plane. Samples interpolate the four nearest pixel centres: bilinear weights, divided by the squared distance
  *         to the sample's plane.
  * Exact:  + - * / and sqrt in one order: every instruction set and thread count gives the same bytes. */
 #ifndef ZR_OCCLUSION_H
@@ -62,25 +63,25 @@ ZR_KERNEL_TABLE(zr_occlusion_places_fn, zr_occlusion_places)
 
 /* ---- kernels of zr_occlusion_make ---- */
 
-enum { ZR_OCCLUSION_DIRECTIONS = 8, ZR_OCCLUSION_STEPS = 4, ZR_OCCLUSION_TILE = 4 };
+enum { ZR_OCCLUSION_AXES = 4, ZR_OCCLUSION_STEPS = 4, ZR_OCCLUSION_TILE = 4 };
 
 /* Parameters shared by all pixels. Table rows hold the pattern of 4 pixels repeated to 16, so that a vector for pixel x
  * can be loaded from x & 15; the first index is y & 3. */
 struct zr_occlusion_work {
     const struct zr_gbuffer *pixels;
     struct zr_pixel_scale scale;
-    float radius, over_square_radius; /* in scene units; 1 / radius^2 */
+    float radius, over_radius; /* in scene units; 1 / radius */
     float strength;
     float plane_limit; /* ZR_OCCLUSION_PLANE times the diagonal */
-    zr_vec4 *points;   /* per pixel, in the G-buffer's layout; x, y and z are adjacent, so that a lane loads a point at
-                        * once */
+    zr_vec4 *points;   /* per pixel, in radii, in the G-buffer's layout; x, y and z are adjacent, so that a lane loads a
+                        * point at once */
     float *rows;       /* blurred along rows */
     float *light;      /* the result; before a row is blurred, its raw occlusion */
-    float cosine[ZR_OCCLUSION_TILE][ZR_OCCLUSION_DIRECTIONS][16], sine[ZR_OCCLUSION_TILE][ZR_OCCLUSION_DIRECTIONS][16];
+    float cosine[ZR_OCCLUSION_TILE][ZR_OCCLUSION_AXES][16], sine[ZR_OCCLUSION_TILE][ZR_OCCLUSION_AXES][16];
     float step[ZR_OCCLUSION_TILE][ZR_OCCLUSION_STEPS][16]; /* relative to the radius */
 };
 
-/* Copies the points of row y to `points`. */
+/* Sets row y of `points`. */
 typedef void zr_occlusion_row_fn(const struct zr_occlusion_work *work, int32_t y);
 
 ZR_KERNEL_TABLE(zr_occlusion_row_fn, zr_occlusion_points)

@@ -1,5 +1,6 @@
 #include "base/vec3_simd.h"
 #include "effects/occlusion.h"
+#include "shade/lights/tone_simd.h"
 
 /* ---- from pixel centres to samples ---- */
 
@@ -146,34 +147,81 @@ static inline struct zr_vec3_v load_points(const zr_vec4 *points, zr_vi numbers)
     return v;
 }
 
-/* Returns the occlusion by the point at [at], from its elevation over the plane and its distance. Skipping the root and
- * quotient if no lane needs them costs a tenth of the time: the branch is mispredicted too often. */
-static inline zr_vf occlude(const struct zr_occlusion_work *work, const struct centers *c, zr_vm inside, zr_vi at)
+/* What the points of one direction hide: shares of the light from this direction, weighted by its cosine. */
+struct along {
+    zr_vf near, all;     /* largest share: of points up to two radii away, of all of them */
+    zr_vf behind;        /* largest share of the opposite direction, by surfaces that lean over the pixel's point */
+    zr_vf highest, foot; /* height of the highest point over the plane; squared distance of the last one along it */
+    zr_vm is_broken;     /* a later point is lower than half of the highest one */
+};
+
+/* Adds the point at [at] as the top of a column on the plane, lengths in radii. A column hides sin^2 of its elevation,
+ * and no more than lies within the radius. In a hole, it begins halfway from the last point. `outward`: along the
+ * plane; a surface beyond the normal hides all of this direction, and cos^2 of the other one. */
+static inline void add_column(const struct zr_occlusion_work *work, const struct centers *c, zr_vm inside, zr_vi at,
+                              struct zr_vec3_v outward, struct along *along)
 {
-    const zr_vf zero = zr_vf_set(0.0f);
-    const struct zr_vec3_v v = zr_minus_v(load_points(work->points, at), c->point);
-    const zr_vf square = zr_dot_v(v, v), height = zr_dot_v(v, c->normal);
-    const zr_vf nearness = zr_vf_set(1.0f) - square * zr_vf_set(work->over_square_radius);
-    const zr_vm occludes = zr_vf_lt_where(zr_vf_lt_where(inside, zero, height), zero, nearness);
-    const zr_vf rise = zr_vf_max(height / zr_vf_sqrt(square) - zr_vf_set(0.1f), zero);
-    return zr_vf_select(occludes, rise * nearness, zero);
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), half = zr_vf_set(0.5f);
+    const struct zr_vec3_v there = load_points(work->points, at), v = zr_minus_v(there, c->point);
+    const zr_vm counts = zr_vf_lt_where(inside, there.x, zr_vf_set(0.5f * ZR_FAR_POINT * work->over_radius));
+    const zr_vf square = zr_dot_v(v, v), height = zr_dot_v(v, c->normal), square_height = height * height;
+    const zr_vf foot = square - square_height, sine = square_height / square;
+    const zr_vm hides = zr_vf_lt_where(counts, zero, height);
+    /* Not those of its own plane, which a wide view may show on the other side. */
+    const zr_vm leans = zr_vf_lt_where(zr_vf_lt_where(hides, zr_vf_set(1e-4f), sine), zr_dot_v(v, outward), zero);
+    const zr_vf share = zr_vf_max(zr_vf_min(sine, one - foot), zero);
+    const zr_vf in_a_hole = zr_vf_min(sine, one - half * (foot + along->foot));
+    const zr_vf nearness = zr_clamp01_v((zr_vf_set(4.0f) - square) * zr_vf_set(1.0f / 3.0f));
+    const zr_vf over = zr_clamp01_v(zr_vf_set(2.0f) - zr_vf_set(2.0f) * square);
+    const zr_vf near = zr_vf_select(leans, over, share * nearness);
+    along->near = zr_vf_max(along->near, zr_vf_select(hides, near, zero));
+    along->all = zr_vf_max(along->all, zr_vf_select(hides, in_a_hole, zero));
+    along->behind = zr_vf_max(along->behind, zr_vf_select(leans, over * (one - sine), zero));
+    const zr_vm is_lower = zr_vf_lt_where(counts, height, half * along->highest);
+    along->is_broken = zr_vm_or(along->is_broken, zr_vf_lt_where(is_lower, zero, along->highest));
+    along->highest = zr_vf_max(along->highest, zr_vf_select(counts, height, zero));
+    along->foot = zr_vf_select(counts, foot, along->foot);
 }
 
-/* Returns the maximum over the steps of one direction. */
-static inline zr_vf occlude_along(const struct zr_occlusion_work *work, const struct centers *c, zr_vf cosine,
-                                  zr_vf sine)
+/* Beyond a rod or a plate in the air, points are low again, and light passes below it. */
+static inline zr_vf all_of(const struct along *along)
+{
+    return zr_vf_select(along->is_broken, zr_vf_set(0.0f), along->all);
+}
+
+/* Sums of the axes: of what is hidden, times the weight of the axis, and of the weights. */
+struct hidden {
+    zr_vf sum, weights;
+};
+
+/* Adds an axis of the picture, whose two directions are weighted by the angle that they stand for on the plane. Points
+ * farther away than the radius count if there are any on both sides, as in a hole. */
+static inline void add_axis(const struct zr_occlusion_work *work, const struct centers *c, zr_vf cosine, zr_vf sine,
+                            struct hidden *hidden)
 {
     const struct zr_gbuffer *pixels = work->pixels;
     const zr_vi width = zr_vi_set(INT32_MIN + pixels->width), height = zr_vi_set(INT32_MIN + pixels->height);
-    const zr_vi stride = zr_vi_set((int32_t)pixels->stride);
-    zr_vf most = zr_vf_set(0.0f);
+    const zr_vi stride = zr_vi_set((int32_t)pixels->stride), none = zr_vi_set(0);
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), half = zr_vf_set(0.5f), twice = zr_vf_set(2.0f);
+    const zr_vf tilt = cosine * c->normal.x + sine * c->normal.y;
+    const struct zr_vec3_v outward = {cosine - c->normal.x * tilt, sine - c->normal.y * tilt,
+                                      zero - c->normal.z * tilt};
+    const struct zr_vec3_v inward = {zero - outward.x, zero - outward.y, zero - outward.z};
+    struct along there = {zero, zero, zero, zero, zero, zr_vm_of(0)}, back = there;
     for (int j = 0; j < ZR_OCCLUSION_STEPS; j++) {
         const zr_vi x = zr_vi_round(c->length[j] * cosine), y = zr_vi_round(c->length[j] * sine);
-        const zr_vm inside = zr_vi_lt_where(zr_vi_lt_where(c->covered, c->x + x, width), c->y + y, height);
-        const zr_vi at = zr_vi_select(inside, c->at + y * stride + x, zr_vi_set(0));
-        most = zr_vf_max(most, occlude(work, c, inside, at));
+        const zr_vi step = y * stride + x;
+        const zr_vm is_there = zr_vi_lt_where(zr_vi_lt_where(c->covered, c->x + x, width), c->y + y, height);
+        const zr_vm is_back = zr_vi_lt_where(zr_vi_lt_where(c->covered, c->x - x, width), c->y - y, height);
+        add_column(work, c, is_there, zr_vi_select(is_there, c->at + step, none), outward, &there);
+        add_column(work, c, is_back, zr_vi_select(is_back, c->at - step, none), inward, &back);
     }
-    return most;
+    const zr_vf a = all_of(&there), b = all_of(&back);
+    const zr_vf both = zr_vf_min(twice * zr_vf_min(a, b), half * (a + b));
+    const zr_vf weight = one / zr_vf_max(one - tilt * tilt, zr_vf_set(0.01f));
+    hidden->sum = hidden->sum + weight * (zr_vf_max(zr_vf_max(there.near, back.behind), both) +
+                                          zr_vf_max(zr_vf_max(back.near, there.behind), both));
+    hidden->weights = hidden->weights + weight;
 }
 
 static inline zr_vf find(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm covered)
@@ -186,12 +234,13 @@ static inline zr_vf find(const struct zr_occlusion_work *work, int32_t x, int32_
     c.x = zr_vi_set(INT32_MIN + x) + zr_vi_ramp();
     c.y = zr_vi_set(INT32_MIN + y);
     set_lengths(work, x, y, &c);
-    zr_vf sum = zero;
-    for (int k = 0; k < ZR_OCCLUSION_DIRECTIONS; k++)
-        sum = sum + occlude_along(work, &c, zr_vf_load(&work->cosine[y & 3][k][x & 15]),
-                                  zr_vf_load(&work->sine[y & 3][k][x & 15]));
-    const zr_vf mean = sum * zr_vf_set(1.0f / ZR_OCCLUSION_DIRECTIONS);
-    return zr_vf_max(zr_vf_min(one - zr_vf_set(work->strength) * mean, one), zero);
+    c.point = zr_scale_v(c.point, zr_vf_set(work->over_radius));
+    struct hidden hidden = {zero, zero};
+    for (int k = 0; k < ZR_OCCLUSION_AXES; k++)
+        add_axis(work, &c, zr_vf_load(&work->cosine[y & 3][k][x & 15]), zr_vf_load(&work->sine[y & 3][k][x & 15]),
+                 &hidden);
+    const zr_vf mean = zr_vf_set(0.5f) * hidden.sum / hidden.weights, strong = zr_vf_set(work->strength) * mean;
+    return one - strong / zr_vf_max(one - mean + strong, zr_vf_set(1e-30f));
 }
 
 /* ---- blur ---- */
@@ -280,7 +329,8 @@ void ZR_KERNEL(zr_occlusion_points)(const struct zr_occlusion_work *work, int32_
     const ptrdiff_t start = y * work->pixels->stride;
     for (ptrdiff_t at = start; at < start + work->pixels->width; at += ZR_LANES) {
         const struct zr_vec3_v point = load3(work->pixels->point, at);
-        zr_vf_store4(&work->points[at].x, point.x, point.y, point.z, zr_vf_set(0.0f));
+        const zr_vf k = zr_vf_set(work->over_radius);
+        zr_vf_store4(&work->points[at].x, point.x * k, point.y * k, point.z * k, zr_vf_set(0.0f));
     }
 }
 

@@ -34,7 +34,7 @@ enum zr_tone {
 struct zr_occlusion {
     bool is_on;
     float radius;   /* largest distance of an occluder, as a share of the diagonal of the bounds */
-    float strength; /* of the darkening: 0 is none, 2 the usual one of looks */
+    float strength; /* of the darkening: 0 is none; at 1.7, light is closest to that of rays */
 };
 
 /* Silhouettes and creases, drawn over the picture. */
