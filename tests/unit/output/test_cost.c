@@ -136,7 +136,7 @@ TEST(samples_lamps_shadows_and_effects_are_counted)
     assert_near(cost.counts[ZR_COST_PLACED_LAMP_SAMPLE], samples);
     assert_near(cost.counts[ZR_COST_SHADOW_SAMPLE], samples);
     assert_near(cost.counts[ZR_COST_OCCLUSION_PIXEL], PIXELS / 2);
-    assert_near(cost.counts[ZR_COST_EDGE_WIDTH_SAMPLE], 4 * 16 * PIXELS);
+    assert_near(cost.counts[ZR_COST_EDGE_WIDTH_SAMPLE], 0.6 * 4 * 16 * PIXELS); /* lines of small windows are thinner */
     assert_near(cost.counts[ZR_COST_MAP_TEXEL], 1024 * 1024);
     assert_true(cost.lamp_maps == 1 && cost.lamp_map_bytes >= 2 * 4 * 1024 * 1024);
 }
