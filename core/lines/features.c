@@ -5,6 +5,7 @@
 #include "base/trig.h"
 #include "lines/smooth_normal.h"
 #include "mesh/face_normals.h"
+#include "mesh/noise_edges.h"
 
 enum { EDGES_PER_RANGE = 2048, FEW_SIDES = 16 };
 
@@ -20,13 +21,15 @@ struct finding {
     float weak_cosine, strong_cosine;
     bool ignores_normals, keeps_noise;
     double long_edge;
+    const struct zr_edge_mesh *first_table; /* of all instances */
+    const uint8_t *const *noise;            /* by number of the table: a byte per edge, or NULL */
     uint8_t *features;
 };
 
 /* An edge with the sides of its present triangles. */
 struct edge {
     const struct zr_drawn_instance *of;
-    uint32_t low, high; /* vertices of the edge table */
+    uint32_t number, low, high; /* in the edge table */
     uint32_t count;
     uint32_t sides[FEW_SIDES]; /* the first ones */
     bool is_diagonal;
@@ -128,6 +131,12 @@ static float smooth_cosine(const struct finding *f, const struct edge *edge, flo
     return sign * dot(a, b);
 }
 
+static bool is_noise(const struct finding *f, const struct edge *edge)
+{
+    const uint8_t *noise = f->noise[edge->of->table - f->first_table];
+    return !f->keeps_noise && noise && noise[edge->number];
+}
+
 static bool is_long(const struct finding *f, const struct edge *edge)
 {
     const double *low = f->mesh->eyes[edge->of->first_vertex + edge->low],
@@ -146,6 +155,7 @@ static unsigned features_of_two(const struct finding *f, const struct edge *edge
     if (is_of_cap(edge)) return features | ZR_FEATURE_WEAK | ZR_FEATURE_STRONG;
     float cosine = sign * dot(a, b);
     if (!(cosine < least) || edge->is_diagonal || !has_normal(a) || !has_normal(b)) return features;
+    if (is_noise(f, edge)) return features;
     if (!f->keeps_noise) cosine = smooth_cosine(f, edge, sign);
     if (!(cosine < least) || is_smooth_by_file(f, edge)) return features;
     features |= ZR_FEATURE_WEAK;
@@ -193,7 +203,7 @@ static struct edge edge_of(const struct finding *f, const struct zr_drawn_instan
 {
     const struct zr_edge_mesh *table = of->table;
     const struct zr_mesh_edge *own = &table->edges[number];
-    struct edge edge = {.of = of, .low = own->low, .high = own->high};
+    struct edge edge = {.of = of, .number = number, .low = own->low, .high = own->high};
     for (uint32_t i = own->first_side; i < own[1].first_side; i++) {
         if (f->mesh->traits[of->first_triangle + table->sides[i] / 3] & ZR_TRIANGLE_ABSENT) continue;
         if (edge.count < FEW_SIDES) edge.sides[edge.count] = table->sides[i];
@@ -220,6 +230,27 @@ static void find_range(void *context, size_t begin, size_t end)
     }
 }
 
+/* Finds the noise of each table that an instance has. False if the arena failed. */
+static bool find_noise(const struct zr_run *run, struct finding *f, float degrees)
+{
+    const struct zr_window_mesh *mesh = f->mesh;
+    const struct zr_edge_mesh *last = mesh->instances[0].table;
+    f->first_table = last;
+    for (uint32_t i = 1; i < mesh->instance_count; i++) {
+        const struct zr_edge_mesh *table = mesh->instances[i].table;
+        if (table < f->first_table) f->first_table = table;
+        if (table > last) last = table;
+    }
+    const uint8_t **noise = zr_arena_zero(run->arena, (size_t)(last - f->first_table) + 1, sizeof *noise);
+    for (uint32_t i = 0; noise && i < mesh->instance_count && !zr_is_cancelled(run->cancel); i++) {
+        const struct zr_drawn_instance *of = &mesh->instances[i];
+        const uint8_t **own = &noise[of->table - f->first_table];
+        if (!*own) *own = zr_noise_edges_find(run, of->mesh, of->table, degrees);
+    }
+    f->noise = noise;
+    return zr_arena_ok(run->arena);
+}
+
 uint8_t *zr_features_find(const struct zr_run *run, const struct zr_window_mesh *mesh,
                           const struct zr_feature_rule *rule)
 {
@@ -236,6 +267,7 @@ uint8_t *zr_features_find(const struct zr_run *run, const struct zr_window_mesh 
                         .long_edge = rule->long_edge,
                         .features = zr_arena_alloc(run->arena, mesh->edge_count, sizeof *f.features)};
     if (!f.features) return NULL;
+    if (mesh->instance_count > 0 && !find_noise(run, &f, rule->crease_degrees)) return NULL;
     zr_team_ranges(run->team, mesh->edge_count, EDGES_PER_RANGE, find_range, &f);
     return f.features;
 }

@@ -4,8 +4,8 @@
  * Contour:  of two triangles, one faces the eye and the other does not (by their planes).
  * Crease:   the normals of the two triangles, and their smoothed ones (smooth_normal.h), differ by more than the crease
  *           angle (weak), or the smoothed ones by more than 1.5 times that angle (strong). Triangles wound against each
- *           other are turned first. Diagonals of polygons are no creases. Given normals that agree within 10 degrees at
- *           both ends make an edge smooth, unless the rule ignores them.
+ *           other are turned first. Diagonals of polygons and noise of scans (mesh/noise_edges.h) are no creases. Given
+ *           normals that agree within 10 degrees at both ends make an edge smooth, unless the rule ignores them.
  * Cut:      an edge of the cap of a section is a strong crease at any angle.
  * More:     an edge of three and more triangles is a strong crease, unless two of them go on within the crease angle
  *           and no other lies in front of both. Absent triangles (ZR_TRIANGLE_ABSENT) do not count. */
@@ -29,7 +29,7 @@ enum {
 struct zr_feature_rule {
     float crease_degrees;
     bool ignores_normals; /* given normals make no edge smooth */
-    bool keeps_noise;     /* normals are not smoothed */
+    bool keeps_noise;     /* normals are not smoothed, and no edge is noise */
     double long_edge;     /* eye space; creases of this length stay lines in any window (chains.h). 0: none do */
 };
 

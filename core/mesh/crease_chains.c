@@ -9,6 +9,7 @@ enum { CHAIN_EDGES = 12, LINKS_MOST = 32, ITEMS_PER_CANCEL_CHECK = 1 << 12 };
 struct chain {
     float length;
     uint32_t edges;
+    bool is_ring;
 };
 
 static bool is_due(const struct zr_cancel *cancel, uint32_t i)
@@ -43,11 +44,12 @@ static uint32_t root_of(struct zr_steep_edge *edges, uint32_t i)
     return i;
 }
 
+/* Joins the chains of two edges. A chain that is joined to itself is a ring. */
 static void join(struct zr_steep_edge *edges, uint32_t a, uint32_t b)
 {
-    a = root_of(edges, a);
-    b = root_of(edges, b);
-    edges[a < b ? b : a].chain = a < b ? a : b;
+    const uint32_t first = root_of(edges, a), second = root_of(edges, b);
+    if (first == second) edges[a].closes_ring = true;
+    edges[first < second ? second : first].chain = first < second ? first : second;
 }
 
 /* Returns the direction from an end into its edge. */
@@ -91,12 +93,13 @@ static void judge(struct zr_steep_edges *edges, struct chain *chains, float diag
         struct chain *chain = &chains[root_of(edges->of, i)];
         chain->length += edges->of[i].length;
         chain->edges++;
+        chain->is_ring |= edges->of[i].closes_ring;
     }
     for (uint32_t i = 0; i < edges->count; i++) {
         struct zr_steep_edge *edge = &edges->of[i];
         const struct chain *chain = &chains[root_of(edges->of, i)];
         edge->is_crease = !(edge->has_gentle_face && edge->length < ZR_SMALL_EDGE * diagonal &&
-                            chain->length < SMALL_CHAIN * diagonal && chain->edges < CHAIN_EDGES);
+                            chain->length < SMALL_CHAIN * diagonal && chain->edges < CHAIN_EDGES && !chain->is_ring);
     }
 }
 

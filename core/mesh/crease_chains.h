@@ -4,7 +4,7 @@
  * Why:    a scan has short steep edges everywhere. As creases, they put saw teeth into light and dashes into drawings.
  * How:    two steep edges that meet in a vertex are linked if each goes on the other most straightly, and they turn by
  *         less than 40 degrees. A steep edge is noise if it is shorter than D / 80, its chain of links is shorter than
- *         D / 20 and has fewer than 12 edges, and a face beside it is gentle: the flattest of the face's other edges,
+ *         D / 20, has fewer than 12 edges and is no ring, and a face beside it is gentle: the flattest of the face's other edges,
  *         of those that touch the steep one, bends by 0.5 degrees up to the crease angle. Parts of CAD have flat faces
  *         there, or faces that are steep on all sides.
  *         The rule holds for crease angles of 20 to 60 degrees; any other angle is exact.
@@ -28,6 +28,7 @@ struct zr_steep_edge {
     float length;
     bool has_gentle_face; /* need not be set if the edge is not small */
     bool is_crease;       /* the result */
+    bool closes_ring;     /* scratch, false at first */
     uint32_t chain;       /* scratch */
 };
 

@@ -1,5 +1,7 @@
 /* Normals of corners of fine meshes: without teeth where a scan has noise, and sharp where a machined part is. */
+#include "mesh/crease_chains.h"
 #include "mesh/face_normals.h"
+#include "mesh/noise_edges.h"
 #include "support/isas.h"
 #include "support/tests.h"
 #include "unit/common/crease_check.h"
@@ -169,6 +171,72 @@ TEST_AROUND(machined_parts_stay_sharp, empty_arena, NULL)
             make_field(&field, is_cut, heights[i]);
             assert_sharp(&field);
         }
+}
+
+/* ---- chains ---- */
+
+/* Returns the number of creases among the first `count` edges of a ring of 11 that is small beside the mesh. */
+static uint32_t creases_of_arc(uint32_t count, float diagonal)
+{
+    enum { ALL = 11 };
+    zr_vec4 positions[ALL];
+    struct zr_steep_edge edges[ALL];
+    struct zr_steep_edges steep = {.of = edges, .count = count, .vertex_count = ALL};
+    uint32_t creases = 0;
+    for (uint32_t i = 0; i < ALL; i++) {
+        const double angle = 6.283185307179586 * i / ALL;
+        const uint32_t next = (i + 1) % ALL;
+        positions[i] = (zr_vec4){(float)cos(angle), (float)sin(angle), 0, 1};
+        edges[i] = (struct zr_steep_edge){
+            .ends = {i, next}, .positions = {i, next}, .length = 0.5634651f, .has_gentle_face = true};
+    }
+    assert_true(zr_crease_chains_find(&arena, NULL, positions, diagonal, &steep));
+    for (uint32_t i = 0; i < count; i++)
+        creases += edges[i].is_crease;
+    return creases;
+}
+
+TEST_AROUND(short_chains_are_noise_and_rings_are_creases, empty_arena, NULL)
+{
+    assert_int_equal(creases_of_arc(10, 1000), 0);
+    assert_int_equal(creases_of_arc(10, 100), 10); /* longer than D / 20 */
+    assert_int_equal(creases_of_arc(10, 40), 10);  /* edges longer than D / 80 */
+    assert_int_equal(creases_of_arc(11, 1000), 11);
+}
+
+/* ---- edges of drawings ---- */
+
+/* Returns the number of noisy edges. */
+static uint32_t count_noise(const struct field *f, float degrees)
+{
+    const struct zr_run run = {.arena = &arena};
+    struct zr_edge_mesh table;
+    uint32_t count = 0;
+    assert_int_equal(zr_edge_mesh_make(&run, &f->mesh, &table), ZR_OK);
+    const uint8_t *noise = zr_noise_edges_find(&run, &f->mesh, &table, degrees);
+    for (uint32_t e = 0; noise && e < table.edge_count; e++)
+        count += noise[e];
+    return count;
+}
+
+TEST_AROUND(edges_of_scans_are_noise, empty_arena, NULL)
+{
+    static struct field field;
+    for (int is_cut = 0; is_cut < 2; is_cut++) {
+        make_field(&field, is_cut, noise);
+        assert_true(count_noise(&field, 30) > 100);
+        assert_int_equal(count_noise(&field, 19), 0);
+    }
+}
+
+TEST_AROUND(edges_of_machined_parts_are_none, empty_arena, NULL)
+{
+    static struct field field;
+    double (*const heights[])(double, double) = {chamfer, knurl, boss};
+    for (int i = 0; i < 3; i++) {
+        make_field(&field, true, heights[i]);
+        assert_int_equal(count_noise(&field, 30), 0);
+    }
 }
 
 RUN_TESTS(open_arena, close_arena)

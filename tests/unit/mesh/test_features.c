@@ -162,8 +162,8 @@ TEST(only_creases_of_small_triangles_are_smoothed)
         const uint8_t *features = find(models[i], NULL, &smooth);
         weak[i] = count(models[i], features, ZR_FEATURE_WEAK, ZR_FEATURE_WEAK);
     }
-    assert_int_equal(weak[1], 1355);
-    assert_true(weak[0] < 500);
+    assert_int_equal(weak[1], 194); /* 1161 more are noise of the scan */
+    assert_true(weak[0] < 150);
 }
 
 TEST(threads_find_the_same)
