@@ -57,12 +57,10 @@ ZR_KERNEL_TABLE(zr_ground_row_fn, zr_ground_row)
 struct zr_ground_sun {
     const struct zr_shadow_map *map; /* of a directional lamp */
     zr_vec3 start;                   /* of points of the G-buffer, in eye space: the eye, or 0 if rays are parallel */
-    float width, height;             /* of the window, pixels */
 };
 
 /* Multiplies `out`, T of a row, by 1 - 0.5 (1 - v), where v is the share of the lamp's light that reaches the points
- * above. Outside the lamp's map, v is 1. Towards the border of the window, 1 - v fades over an eighth of its smaller
- * side, so that no shadow is cut. A kernel. */
+ * above. Outside the lamp's map, v is 1. A kernel. */
 typedef void zr_ground_sun_row_fn(const struct zr_ground_sun *sun, const struct zr_ground_frame *frame,
                                   const struct zr_rays *rays, int32_t y, int32_t width, float *out);
 

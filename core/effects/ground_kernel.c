@@ -130,18 +130,6 @@ static inline zr_vm is_in_map(const struct zr_shadow_map *map, struct zr_vec3_v 
                      zr_vm_and(zr_vf_lt(least, v), zr_vf_lt(v, most)));
 }
 
-/* Window sides over which the shadow fades. */
-#define SUN_FADE 0.125f
-
-/* Returns 0 at the border of the window .. 1 from SUN_FADE on. */
-static inline zr_vf fade_at(const struct zr_ground_sun *sun, zr_vf x, float y)
-{
-    const float up = sun->height - y, along = y < up ? y : up;
-    const float fade = SUN_FADE * (sun->width < sun->height ? sun->width : sun->height);
-    const zr_vf across = zr_vf_min(x, zr_vf_set(sun->width) - x);
-    return zr_vf_min(zr_vf_min(across, zr_vf_set(along)) / zr_vf_set(fade), zr_vf_set(1.0f));
-}
-
 void ZR_KERNEL(zr_ground_sun_row)(const struct zr_ground_sun *sun, const struct zr_ground_frame *frame,
                                   const struct zr_rays *rays, int32_t y, int32_t width, float *out)
 {
@@ -156,8 +144,7 @@ void ZR_KERNEL(zr_ground_sun_row)(const struct zr_ground_sun *sun, const struct 
         const zr_vm lit = zr_vm_and(zr_vf_lt(zero, distance), is_in_map(sun->map, p));
         const zr_vm seen = zr_vm_and(lit, zr_vm_first((uint32_t)(width - first)));
         if (!zr_vm_any(seen)) continue;
-        const zr_vf lost = (one - zr_shadow_share_v(sun->map, p, up)) * fade_at(sun, x, (float)y + 0.5f);
-        const zr_vf share = one - half * lost;
+        const zr_vf share = half + half * zr_shadow_share_v(sun->map, p, up);
         float shares[ZR_LANES];
         zr_vf_store(shares, zr_vf_select(seen, share, one));
         for (int32_t i = 0; i < ZR_LANES && first + i < width; i++)

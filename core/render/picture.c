@@ -204,8 +204,7 @@ static enum zr_status finish(const struct drawing *d, struct zr_post_desc *desc,
 static struct zr_ground_sun ground_sun_of(const struct drawing *d, const struct zr_shadow_map *shadows)
 {
     const zr_vec4 eye = zr_camera_eye(&d->frame->camera);
-    const uint32_t width = d->frame->width, height = d->frame->height;
-    struct zr_ground_sun sun = {.width = (float)width, .height = (float)height};
+    struct zr_ground_sun sun = {.map = NULL};
     for (uint32_t i = 0; shadows && i < d->scene->light_count && !sun.map; i++)
         if (d->scene->lights[i].type == ZR_LIGHT_DIRECTIONAL && shadows[i].depths) sun.map = &shadows[i];
     if (eye.w != 0.0f) sun.start = (zr_vec3){eye.x, eye.y, eye.z};

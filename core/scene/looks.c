@@ -76,7 +76,7 @@ static const struct zr_light outdoor_lights[] = {
 #define OUTDOOR               .environment = {ZR_ENVIRONMENT_OUTDOOR, 1, 0, false}
 #define GRADIENT(from, to)    .has_gradient = true, .top = RGB(from), .bottom = RGB(to)
 #define OCCLUSION(on, factor) .occlusion = {(on), 0.2f, (factor)}
-#define GROUNDED              .occlusion = {true, 0.15f, 2.3f}, .has_ground = true
+#define GROUNDED              .occlusion = {true, 0.15f, 1.7f}, .has_ground = true
 /* At 30 degrees, scans get stray creases. */
 #define EDGES(on, ink, wide, silhouettes, creases)                                                                     \
     .edges = {.is_on = (on),                                                                                           \

@@ -1,7 +1,9 @@
 /* shadow_map.h - shade: shadows of a lamp, from a depth map along its light.
  *
  * How:    mean over the 37 texels with dx^2 + dy^2 <= 12 around the point, with a bias along the face normal and along
- *         the ray: 0.004 D for a directional lamp, four texel widths at the point's distance for a spot.
+ *         the ray: 0.004 D for a directional lamp, four texel widths at the point's distance for a spot. Along the
+ *         normal, it grows to three times as much for surfaces that turn away from a directional lamp. Points that are
+ *         behind a texel by less than another bias lose a part of the light.
  * Why:    a plane casts no shadow on itself, at any angle of light, if the bias is at least the distance to the
  *         farthest of those texels.
  */
