@@ -16,7 +16,7 @@ static bool have_room(const struct zr_arena *arena, const struct zr_scene *scene
     uint64_t corners = 0;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         corners += scene->meshes[i].face_offsets[scene->meshes[i].face_count];
-    return corners <= zr_arena_left(arena) / 8 / BYTES_PER_CORNER;
+    return corners <= zr_arena_left(arena) / 2 / BYTES_PER_CORNER;
 }
 
 static void make_creases(const struct zr_run *run, const struct zr_scene *scene, struct zr_mesh_tables *out)
