@@ -82,7 +82,7 @@
     ROW(occlusion, "/occlusion", MESH, BOOL, "less ambient light in creases and holes (default: the look's)")          \
     ROW(groundShadow, "/groundShadow", MESH, BOOL, "soft shadow on the ground (default: the look's)")                  \
     ROW(environment, "/environment", MESH, NAME_OR_FALSE,                                                              \
-        "light from all around: studio, metal, outdoor or false (default: the look's)")                                \
+        "light from all around: studio, metal, outdoor, a Radiance picture (.hdr) or false (default: the look's)")     \
     ROW(exposure, "/exposure", MESH, NUMBER, "factor of all light, 0 to 1e6 (default: the look's)")                    \
     ROW(toneMapping, "/toneMapping", MESH, NAME, "tone curve: none, khronos-neutral or neutral (default: the look's)") \
     ROW(ambient, "/ambient", MESH, COLOR, "ambient light instead of the look's lights")                                \

@@ -128,6 +128,21 @@ static void find_type(struct input *input, const struct options *options)
     snprintf(input->type, sizeof input->type, "%.*s", (int)strcspn(media_type, " "), media_type);
 }
 
+/* Reads the file that --environment names, as a part of this name. */
+static bool read_environment(struct input *input, const char *name, struct bytes *faults)
+{
+    const bool is_file = name && strcmp(ending_of(name), "hdr") == 0;
+    for (size_t i = 0; is_file && i < input->part_count; i++)
+        if (strcmp(input->parts[i].name, name) == 0) return true;
+    if (!is_file || input->part_count == INPUT_PARTS_MAX) return true;
+    struct input_part *part = &input->parts[input->part_count++];
+    part->name = strdup(name);
+    if (part->name && bytes_read(&part->bytes, name)) return true;
+    bytes_print(faults, "--environment %s: ", name);
+    bytes_explain(faults);
+    return false;
+}
+
 static bool read_parts(struct input *input, const struct options *options, struct bytes *faults)
 {
     for (size_t i = 0; i < options->part_count; i++) {
@@ -140,7 +155,7 @@ static bool read_parts(struct input *input, const struct options *options, struc
         bytes_explain(faults);
         return false;
     }
-    return true;
+    return read_environment(input, options->parameters[PARAMETER_environment], faults);
 }
 
 bool input_read(struct input *input, const char *path, const struct options *options, struct bytes *faults)

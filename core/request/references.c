@@ -3,6 +3,7 @@
 #include <strings.h>
 
 #include "core.h"
+#include "input/files/assets.h"
 #include "input/formats/formats.h"
 #include "input/formats/sniff.h"
 #include "input/json/json.h"
@@ -174,15 +175,16 @@ static void list_mtl(struct list *list, const char *bytes, const char *end)
 
 /* ---- JSON ---- */
 
-static void add_string(struct list *list, struct zr_json *json)
+/* Adds a name that ends with `ending`. */
+static void add_string(struct list *list, struct zr_json *json, const char *ending)
 {
     struct zr_json_text text;
+    const size_t length = strlen(ending);
     if (!zr_json_take_string(json, &text)) return;
     const char *name = text.has_escapes ? zr_json_decode(json, &text) : NULL;
-    if (name)
-        add(list, name, name + strlen(name));
-    else if (!text.has_escapes)
-        add(list, text.at, text.end);
+    if (text.has_escapes && !name) return;
+    const char *at = name ? name : text.at, *end = name ? name + strlen(name) : text.end;
+    if ((size_t)(end - at) >= length && memcmp(end - length, ending, length) == 0) add(list, at, end);
 }
 
 /* glTF: lists the key "uri" of the items of "buffers" and "images". */
@@ -196,7 +198,7 @@ static void list_uris(struct list *list, struct zr_json *json)
         }
         for (zr_json_enter(json, '{'); zr_json_member(json, &key);)
             if (zr_json_is(&key, "uri") && zr_json_type(json) == ZR_JSON_STRING)
-                add_string(list, json);
+                add_string(list, json, "");
             else
                 zr_json_skip(json);
     }
@@ -212,7 +214,7 @@ static void list_gltf(struct list *list, struct zr_json *json)
             zr_json_skip(json);
 }
 
-/* Scenes: lists the key "asset" anywhere. A list that begins with a number has none. */
+/* Scenes: lists the key "asset", and an image of the key "environment", anywhere. A list that begins with a number has none. */
 static void list_assets(struct list *list, struct zr_json *json)
 {
     struct zr_json_text key;
@@ -221,7 +223,9 @@ static void list_assets(struct list *list, struct zr_json *json)
     if (type == ZR_JSON_OBJECT) {
         for (zr_json_enter(json, '{'); zr_json_member(json, &key);)
             if (zr_json_is(&key, "asset") && zr_json_type(json) == ZR_JSON_STRING)
-                add_string(list, json);
+                add_string(list, json, "");
+            else if (zr_json_is(&key, "environment") && zr_json_type(json) == ZR_JSON_STRING)
+                add_string(list, json, ZR_ENVIRONMENT_ENDING);
             else
                 list_assets(list, json);
     } else if (type == ZR_JSON_LIST && zr_json_enter(&inside, '[') && zr_json_type(&inside) != ZR_JSON_NUMBER) {
@@ -300,7 +304,9 @@ size_t zr_references_list(const char *bytes, size_t size, const char *type, char
     case ZR_FORMAT_JSON:
         if (zr_looks_so_GLTF(bytes, size))
             list_json(&list, bytes, size, list_gltf);
-        else if (memmem(bytes, size, asset, sizeof asset - 1)) /* most large scenes have none, and are not read twice */
+        else if (memmem(bytes, size, asset,
+                        sizeof asset - 1) || /* most large scenes have none: they are not read twice */
+                 memmem(bytes, size, ZR_ENVIRONMENT_ENDING, sizeof ZR_ENVIRONMENT_ENDING - 1))
             list_json(&list, bytes, size, list_assets);
         break;
     default:

@@ -11,7 +11,8 @@ enum zr_environment_name {
     ZR_ENVIRONMENT_STUDIO,
     ZR_ENVIRONMENT_METAL,
     ZR_ENVIRONMENT_OUTDOOR,
-    ZR_ENVIRONMENT_COUNT
+    ZR_ENVIRONMENT_COUNT,
+    ZR_ENVIRONMENT_IMAGE = ZR_ENVIRONMENT_COUNT /* no name: `map` of struct zr_environment */
 };
 
 /* Environment light for ZR_SHADING_PBR. */
@@ -19,7 +20,10 @@ struct zr_environment {
     enum zr_environment_name name;
     float intensity;
     double rotation_degrees; /* around its up axis, counter-clockwise seen from above */
-    bool camera_frame; /* it moves with the camera; else its up is the scene's, and its z points towards the camera */
+    bool
+        camera_frame; /* it moves with the camera; else its up is the scene's, and its z points towards the camera; that
+                        * of an image is fixed to the scene */
+    const struct zr_environment_map *map; /* of ZR_ENVIRONMENT_IMAGE, scene/environment_map.h */
 };
 
 /* Tone mapping: brings linear light brighter than white into 0..1. */

@@ -28,7 +28,7 @@ struct zr_picture zr_picture_merge(const struct zr_parsed_picture *given, const 
 #undef TAKE
     if (zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT) && merged.environment.name != ZR_ENVIRONMENT_NONE &&
         !zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT_FRAME))
-        merged.environment.camera_frame = merged.environment.name != ZR_ENVIRONMENT_OUTDOOR;
+        merged.environment.camera_frame = !merged.environment.map && merged.environment.name != ZR_ENVIRONMENT_OUTDOOR;
     if (zr_picture_gives(given, ZR_PICTURE_EDGES_WIDTH)) merged.edges.keeps_width = true;
     if (zr_picture_gives(given, ZR_PICTURE_EDGES_FROM) && !zr_picture_gives(given, ZR_PICTURE_EDGES_WIDTH))
         merged.edges.width = merged.edges.is_from_mesh ? 0.0f : 1.5f;

@@ -18,6 +18,8 @@
     ROW(ENVIRONMENT_INTENSITY, "environment", "intensity", environment.intensity, true)                                \
     ROW(ENVIRONMENT_ROTATION, "environment", "rotationDegrees", environment.rotation_degrees, true)                    \
     ROW(ENVIRONMENT_FRAME, "environment", "frame", environment.camera_frame, true)                                     \
+    ROW(ENVIRONMENT_URI, "environment", "uri", environment.map, true)                                                  \
+    ROW(ENVIRONMENT_ASSET, "environment", "asset", environment.map, true)                                              \
     ROW(TONE, "", "toneMapping", tone, p->tone != ZR_TONE_NONE)                                                        \
     ROW(EXPOSURE, "", "exposure", exposure, true)                                                                      \
     ROW(OCCLUSION, "", "occlusion", occlusion.is_on, p->occlusion.is_on)                                               \

@@ -46,6 +46,7 @@ struct zr_scene_builder {
     zr_model_read_fn *read_model;      /* reads the files that a scene names as meshes */
     uint8_t *asset_uses;               /* model file in a scene: flags per asset of the request; otherwise NULL */
     bool *looked;                      /* set if the reader looks for other files of the request; or NULL */
+    const void *query_bytes;           /* bytes of the asset that the query uses; NULL: none */
     const char *asset_folder;          /* model file in a scene: folder of its name, with a final slash; or NULL */
     const struct zr_model_scene *file; /* nodes and materials of a bare mesh's own; or NULL */
     const struct zr_scene *asked;      /* its given window, views and sheet replace a scene's; or NULL */

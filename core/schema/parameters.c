@@ -7,8 +7,8 @@
 #include "input/query/parameters.h"
 #include "input/text/number.h"
 #include "parameter_rows.h"
-#include "scene/looks.h"
 #include "scene/encodings.h"
+#include "scene/looks.h"
 #include "scene/shadings.h"
 #include "schema/schema.h"
 
@@ -95,6 +95,19 @@ static void print_words(struct zr_print *print, const struct row *row)
     zr_print_end(print, ']');
 }
 
+/* A word, or the name of an environment's image. */
+static void print_word_or_file(struct zr_print *print, const struct row *row)
+{
+    zr_print_begin(print, "anyOf", '[');
+    zr_print_begin(print, NULL, '{');
+    print_words(print, row);
+    zr_print_end(print, '}');
+    zr_print_begin(print, NULL, '{');
+    zr_print_string(print, "pattern", "[.]hdr$|^sha256:");
+    zr_print_end(print, '}');
+    zr_print_end(print, ']');
+}
+
 static void print_range(struct zr_print *print, const char *type, double low, double high)
 {
     zr_print_string(print, "type", type);
@@ -156,7 +169,10 @@ static void print_schema(struct zr_print *print, const struct row *row, const st
         print_range(print, "number", field->low, field->high);
     else {
         zr_print_string(print, "type", "string");
-        if (words_of(row) || is(row, "look")) print_words(print, row);
+        if (row->kind == ZR_PARAMETER_NAME_OR_FALSE)
+            print_word_or_file(print, row);
+        else if (words_of(row) || is(row, "look"))
+            print_words(print, row);
     }
     print_default(print, row);
     zr_print_end(print, '}');

@@ -29,6 +29,7 @@ static bool is_parameter(const struct zr_asset *asset)
 void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset)
 {
     if (asset->packed || asset->is_optional) return; /* zr_zip_body_warn */
+    if (asset->bytes && asset->bytes == builder->query_bytes) return;
     zr_warning_list_add(builder->arena, &builder->warnings, "the asset %s is not used by the scene%s",
                         zr_quote(asset->name, strlen(asset->name)).text,
                         is_parameter(asset) ? "; parameters go into the query of the address" : "");

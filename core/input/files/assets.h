@@ -53,6 +53,9 @@ void zr_parsed_warn_of_unused_assets(const struct zr_parsed_assets *assets, stru
 
 void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset);
 
+/* Ending of the files that the key environment may name without an object. */
+#define ZR_ENVIRONMENT_ENDING ".hdr"
+
 /* Beginning of the name of a stored asset. */
 #define ZR_STORED "sha256:"
 

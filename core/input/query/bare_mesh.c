@@ -175,6 +175,10 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
     const struct zr_keeping *keeping = root->builder->keeping;
     struct zr_error faults = {0};
     root->json.error = &faults;
+    root->assets = zr_parsed_assets_of(root->builder, query->request);
+    root->images = zr_image_list_of(root->builder, query->request, root->json.limits);
+    root->json.assets = &root->assets;
+    if (!zr_parsed_read_environment(root) && faults.status == ZR_CANCELLED) return ZR_CANCELLED;
     use_lights(query);
     zr_parsed_use_look(root);
     if (!keeping || !keeping->has_view) {

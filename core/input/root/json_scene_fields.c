@@ -57,10 +57,12 @@ const struct zr_json_field zr_scene_fields[] = {
                              ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/light"}, "maxItems" : 1024})},
     [ZR_SCENE_ENVIRONMENT] = {"environment", zr_read_environment, 0, .object = &zr_json_object_environment,
                               .otherwise = "the look's; false",
-                              .text = "light from all around for the shading pbr: a name, an object or false",
+                              .text = "light from all around for the shading pbr: a name, a Radiance picture (.hdr), an "
+                                      "object or false",
                               .schema = ZR_SCHEMA({
                                   "anyOf" : [
                                       {"const" : false}, {"$ref" : "#/$defs/environment/properties/name"},
+                                      {"type" : "string", "pattern" : "[.]hdr$|^data:|^sha256:"},
                                       {"$ref" : "#/$defs/environment"}
                                   ]
                               })},

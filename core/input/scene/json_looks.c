@@ -6,6 +6,7 @@
 #include "input/scene/json_scene.h"
 #include "scene/camera/upright.h"
 #include "scene/defaults.h"
+#include "scene/environment_map.h"
 #include "scene/parsed_picture.h"
 
 /* ---- the picture ---- */
@@ -25,6 +26,7 @@ static void use_picture(struct zr_parsed_scene *root)
     } else if (zr_scene_gives(root, ZR_SCENE_LIGHTS) || zr_scene_gives(root, ZR_SCENE_AMBIENT)) {
         environment->name = ZR_ENVIRONMENT_NONE;
     }
+    if (environment->name != ZR_ENVIRONMENT_IMAGE) environment->map = NULL;
 }
 
 /* Reduces the samples to fit a large window. Samples of the look give a warning; samples of the scene are a fault. */
@@ -87,6 +89,7 @@ static void use_lights_of_environment(struct zr_parsed_scene *root)
     struct zr_scene *scene = root->scene;
     const enum zr_environment_name name = scene->picture->environment.name;
     if (name == scene->look->picture->environment.name) return;
+    if (name == ZR_ENVIRONMENT_IMAGE) return;
     if (name == ZR_ENVIRONMENT_NONE) {
         light_pbr_too(root);
         return;
@@ -97,6 +100,30 @@ static void use_lights_of_environment(struct zr_parsed_scene *root)
     scene->ambient = zr_looks[i].ambient;
     scene->lights = zr_looks[i].lights;
     scene->light_count = zr_looks[i].light_count;
+}
+
+/* Adds the sun of an environment image, which replaces the look's lights of pbr. */
+static void use_lights_of_image(struct zr_parsed_scene *root)
+{
+    struct zr_scene *scene = root->scene;
+    const struct zr_environment *environment = &scene->picture->environment;
+    const struct zr_environment_map *map = environment->map;
+    const bool is_own = zr_scene_gives(root, ZR_SCENE_LIGHTS);
+    struct zr_light *lights = zr_arena_alloc(root->json.arena, scene->light_count + 1, sizeof *lights);
+    uint32_t count = 0;
+    if (!lights) return;
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (is_own || scene->lights[i].lit == ZR_LIT_CLASSIC) lights[count++] = scene->lights[i];
+    if (map->has_sun && count < ZR_LIGHTS_MAX)
+        lights[count++] = (struct zr_light){.type = ZR_LIGHT_DIRECTIONAL,
+                                            .direction = map->sun_direction,
+                                            .color = zr_vec3_scale(map->sun_color, environment->intensity),
+                                            .environment_frame = true,
+                                            .has_shadows = true,
+                                            .lit = ZR_LIT_PBR};
+    if (is_own) root->lights = lights; /* their colours are decoded later */
+    scene->lights = lights;
+    scene->light_count = count;
 }
 
 /* The look textbook has ambient light and lamps apart, so a scene may give either. */
@@ -112,6 +139,7 @@ static void use_lights(struct zr_parsed_scene *root)
     } else {
         use_lights_of_environment(root);
     }
+    if (scene->picture->environment.map) use_lights_of_image(root);
     if (zr_scene_gives(root, ZR_SCENE_AMBIENT))
         scene->ambient = (zr_vec3){root->ambient.x, root->ambient.y, root->ambient.z};
 }

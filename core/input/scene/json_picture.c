@@ -2,6 +2,8 @@
 #include <float.h>
 #include <string.h>
 
+#include "input/images/environment_image.h"
+#include "input/json/json_bytes.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "scene/parsed_picture.h"
@@ -174,11 +176,12 @@ static const struct zr_names frame_names = ZR_NAMES(FRAMES, frames);
 
 struct given_environment {
     int name, frame;
+    struct zr_bytes_name file;
     float intensity;
     double rotation_degrees;
 };
 
-enum { NAME, INTENSITY, ROTATION, FRAME };
+enum { NAME, INTENSITY, ROTATION, FRAME, FILE_URI, FILE_ASSET };
 #define AT(member) offsetof(struct given_environment, member)
 static const struct zr_json_field environment_fields[] = {
     [NAME] = {"name", zr_json_choice, AT(name), .words = &environment_names, .otherwise = "the look's",
@@ -188,17 +191,57 @@ static const struct zr_json_field environment_fields[] = {
     [ROTATION] = {"rotationDegrees", zr_json_number, AT(rotation_degrees), -ANGLE_MAX, ANGLE_MAX, .unit = "degrees",
                   .otherwise = "0", .text = "rotation around the up axis, counter-clockwise seen from above"},
     [FRAME] = {"frame", zr_json_choice, AT(frame), .words = &frame_names,
-               .otherwise = "camera for studio and metal, world for outdoor",
-               .text = "camera: moves with the camera; world: up is the scene's, and front is the camera's side"}};
+               .otherwise = "camera for studio and metal, else world",
+               .text =
+                   "camera: moves with the camera; world: up is the scene's, and front is the camera's side, or for "
+                   "an image +x and +z are the scene's"},
+    ZR_BYTES_NAME_FIELDS(struct given_environment, file)};
 #undef AT
-const struct zr_json_object zr_json_object_environment = ZR_JSON_OBJECT_OF("environment", environment_fields);
+static const struct zr_json_rule environment_rules[] = {{.kind = ZR_RULE_APART,
+                                                         .text = "only one of name, uri and asset is needed",
+                                                         .sets = {ZR_KEY(NAME), ZR_KEY(FILE_URI), ZR_KEY(FILE_ASSET)}}};
+const struct zr_json_object zr_json_object_environment = {ZR_JSON_FIELDS("environment", environment_fields),
+                                                          ZR_JSON_RULES(environment_rules)};
 
-static bool read_name(struct zr_json *json, const struct zr_json_path *path, int *name)
+/* Finds the file that a text names: a Radiance picture, a data: URI or a stored asset. False: it is another name. */
+static bool find_file(const char *word, struct zr_bytes_name *file)
+{
+    const size_t length = strlen(word), ending = sizeof ZR_ENVIRONMENT_ENDING - 1;
+    const bool is_uri = strncmp(word, "data:", 5) == 0;
+    if (is_uri) file->uri = word;
+    if (!is_uri &&
+        ((length > ending && strcmp(word + length - ending, ZR_ENVIRONMENT_ENDING) == 0) || zr_stored_name(word)))
+        file->asset = word;
+    return file->uri || file->asset;
+}
+
+bool zr_parsed_read_environment(struct zr_parsed_scene *root)
+{
+    struct zr_image_list *images = &root->images;
+    struct zr_environment *environment = &root->picture->given.environment;
+    const struct zr_bytes_name *name = &root->environment_file;
+    const struct zr_json_path *path = ZR_SCENE_PATH(ZR_SCENE_ENVIRONMENT);
+    struct zr_environment_map *map = NULL;
+    struct zr_reason reason;
+    struct zr_parsed_bytes bytes;
+    if (environment->map || !(name->uri || name->asset)) return true;
+    if (!zr_parsed_read_named(&root->json, path, name, &bytes)) return false;
+    if (root->is_bare) root->builder->query_bytes = bytes.bytes;
+    if (images->quick) images->quick->is_exceeded = true;
+    const struct zr_encoded_image file = {bytes.bytes, bytes.size, images->pixels_max - images->pixels};
+    const enum zr_status status =
+        images->quick ? ZR_CANCELLED : zr_environment_map_read(root->json.arena, &file, &map, &reason);
+    environment->map = map;
+    if (status == ZR_OK) images->pixels += map->image_texels;
+    return zr_json_check_read(&root->json, path, status, &reason);
+}
+
+static bool read_name(struct zr_json *json, const struct zr_json_path *path, struct given_environment *given)
 {
     const char *word = "";
     if (!zr_json_string(json, path, &word)) return false;
-    *name = zr_names_find(&environment_names, word);
-    return *name >= 0 ||
+    given->name = zr_names_find(&environment_names, word);
+    return given->name >= 0 || find_file(word, &given->file) ||
            zr_json_fault(json, path, "%s; or false for none", zr_names_refuse(&environment_names, word).text);
 }
 
@@ -208,7 +251,7 @@ static bool read_environment(struct zr_json *json, const struct zr_json_path *pa
     const enum zr_json_type type = zr_json_type(json);
     bool is_on;
     *keys = UINT64_C(1) << NAME;
-    if (type == ZR_JSON_STRING) return read_name(json, path, &given->name);
+    if (type == ZR_JSON_STRING) return read_name(json, path, given);
     if (type == ZR_JSON_OBJECT) return zr_json_fields(json, path, &zr_json_object_environment, given, keys);
     if (type != ZR_JSON_BOOL) return zr_json_expect(json, path, "false, a name or an object");
     return zr_json_take_bool(json, &is_on) &&
@@ -217,17 +260,22 @@ static bool read_environment(struct zr_json *json, const struct zr_json_path *pa
 
 bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    struct zr_parsed_picture *picture = ((struct zr_parsed_scene *)out)->picture;
+    struct zr_parsed_scene *root = out;
+    struct zr_parsed_picture *picture = root->picture;
     struct given_environment given = {.name = -1};
     uint64_t keys;
     if (!read_environment(json, path, &given, &keys)) {
         zr_picture_give(picture, ZR_PICTURE_ENVIRONMENT); /* prevents a second report of a missing name */
         return false;
     }
-    picture->given.environment = (struct zr_environment){.name = (enum zr_environment_name)(given.name + 1),
-                                                         .intensity = given.intensity,
-                                                         .rotation_degrees = given.rotation_degrees,
-                                                         .camera_frame = given.frame == FRAME_CAMERA};
+    const bool has_file = given.file.uri || given.file.asset;
+    if (has_file) keys |= ZR_KEY(NAME) | (given.file.uri ? ZR_KEY(FILE_URI) : ZR_KEY(FILE_ASSET));
+    picture->given.environment =
+        (struct zr_environment){.name = has_file ? ZR_ENVIRONMENT_IMAGE : (enum zr_environment_name)(given.name + 1),
+                                .intensity = given.intensity,
+                                .rotation_degrees = given.rotation_degrees,
+                                .camera_frame = given.frame == FRAME_CAMERA};
     zr_parsed_note_keys(picture, zr_json_object_environment.name, &zr_json_object_environment, keys);
-    return true;
+    root->environment_file = given.file;
+    return root->is_bare || zr_parsed_read_environment(root); /* that of a query is read after the body */
 }

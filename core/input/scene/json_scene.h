@@ -141,6 +141,7 @@ struct zr_parsed_scene {
 
     struct zr_parsed_assets assets;
     struct zr_image_list images;
+    struct zr_bytes_name environment_file; /* image of the key environment */
 
     uint32_t unplaced_meshes; /* meshes that no node places */
     struct zr_matrix *exact;  /* of a far scene: matrices of the instances that nodes place, with room for one more */
@@ -322,6 +323,10 @@ extern const struct zr_names zr_management_names, zr_tone_names, zr_sample_names
 /* json_looks.c: fills keys that the scene does not give from its look: the picture, lamps, view and window. Then, once
  * there are materials, decides on linear light and reports keys that exclude it. */
 void zr_parsed_use_look(struct zr_parsed_scene *root);
+
+/* json_picture.c: reads the image of the key environment, if it has one that is not read. False after a fault. A quick
+ * reading stops. */
+bool zr_parsed_read_environment(struct zr_parsed_scene *root);
 void zr_parsed_check_light(struct zr_parsed_scene *root);
 
 /* json_image.c: finds the index in scene->images of the image with these bytes; each is decoded once. `path`: of the

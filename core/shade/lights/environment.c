@@ -1,5 +1,7 @@
 #include "shade/lights/environment.h"
 
+#include <string.h>
+
 #define GREY(v)                                                                                                        \
     {                                                                                                                  \
         v, v, v                                                                                                        \
@@ -104,7 +106,7 @@ static const struct zr_environment_light OUTDOOR = {
 
 bool zr_environment_make(enum zr_environment_name name, struct zr_environment_light *out)
 {
-    static const struct zr_environment_light *const rows[ZR_ENVIRONMENT_COUNT] = {
+    static const struct zr_environment_light *const rows[ZR_ENVIRONMENT_IMAGE + 1] = {
         [ZR_ENVIRONMENT_STUDIO] = &STUDIO, [ZR_ENVIRONMENT_METAL] = &METAL, [ZR_ENVIRONMENT_OUTDOOR] = &OUTDOOR};
     const zr_vec3 up = {0, 1, 0};
     if (!rows[name]) return false;
@@ -118,4 +120,13 @@ bool zr_environment_make(enum zr_environment_name name, struct zr_environment_li
     for (uint32_t i = 0; i < out->lobe_count; i++)
         out->lobes[i].middle = zr_vec3_normalize(out->lobes[i].middle);
     return true;
+}
+
+_Static_assert((int)ZR_HARMONICS == (int)ZR_MAP_HARMONICS, "the same functions");
+
+struct zr_environment_light zr_environment_of_map(const struct zr_environment_map *map)
+{
+    struct zr_environment_light light = {.map = map->texels};
+    memcpy(light.harmonics, map->harmonics, sizeof light.harmonics);
+    return light;
 }

@@ -10,6 +10,7 @@
  *             L        = mix(gradient + boxes + lobes, E(d), clamp((alpha - 0.2) / 0.6))
  *
  *         u and v are d along the box's two sides. E is irradiance / pi, a polynomial of harmonics of order 2.
+ * Image:  L is the light of two levels of the image's map (scene/environment_map.h), mixed by roughness.
  * Near:   an environment may stand at a finite distance, so that planes get a gradient: at a point P, directions R of L
  *         and N of E become normalize(R + k q) and normalize(N + k q / 2) with q = (P - M) / (D / 2), where M is the
  *         middle of the scene's bounds, D their diagonal, and k the nearness.
@@ -19,6 +20,7 @@
 
 #include "base/vec.h"
 #include "scene/effects.h"
+#include "scene/environment_map.h"
 
 enum { ZR_ENVIRONMENT_BOXES = 6, ZR_ENVIRONMENT_LOBES = 2, ZR_HARMONICS = 9 };
 
@@ -45,9 +47,13 @@ struct zr_environment_light {
     struct zr_environment_lobe lobes[ZR_ENVIRONMENT_LOBES];
     float nearness;                  /* k; 0: infinitely far away */
     zr_vec3 harmonics[ZR_HARMONICS]; /* factors of 1, x, y, z, xy, yz, zx, 3z^2 - 1, x^2 - y^2 */
+    const float *map;                /* texels of an environment image, which replace all but the harmonics; or NULL */
 };
 
 /* Makes an environment's light. Returns false for ZR_ENVIRONMENT_NONE. */
 bool zr_environment_make(enum zr_environment_name name, struct zr_environment_light *out);
+
+/* Makes the light of an image. */
+struct zr_environment_light zr_environment_of_map(const struct zr_environment_map *map);
 
 #endif

@@ -3,6 +3,7 @@
 #define ZR_ENVIRONMENT_SIMD_H
 
 #include "shade/lights/environment.h"
+#include "shade/lights/environment_map_simd.h"
 #include "shade/lights/tone_simd.h"
 
 /* Returns x / sqrt(x^2 + w^2): -1 .. 1. */
@@ -64,13 +65,14 @@ static inline struct zr_vec3_v zr_environment_diffuse_v(const struct zr_environm
 struct zr_gathering_v {
     zr_vf square_blur, share; /* share: that of E, 0 .. 1 */
     bool is_sharp, is_soft;   /* share is 0, or 1, in all lanes */
+    zr_vf alpha;
 };
 
 static inline struct zr_gathering_v zr_gathering_of(float alpha)
 {
     const float blur = 2.0f * alpha / (1.0f + 2.2f * alpha), diffuse = (alpha - 0.2f) / 0.6f;
     return (struct zr_gathering_v){zr_vf_set(ZR_MUTANT(environment_not_blurred, blur * blur, 0.0f)), zr_vf_set(diffuse),
-                                   diffuse <= 0.0f, diffuse >= 1.0f};
+                                   diffuse <= 0.0f, diffuse >= 1.0f, zr_vf_set(alpha)};
 }
 
 /* Returns the parameters at each lane's alpha. */
@@ -80,13 +82,14 @@ static inline struct zr_gathering_v zr_gathering_of_each(zr_vf alpha)
     const zr_vf blur = zr_vf_set(2.0f) * alpha / (one + zr_vf_set(2.2f) * alpha);
     const zr_vf share = (alpha - zr_vf_set(0.2f)) / zr_vf_set(0.6f);
     return (struct zr_gathering_v){ZR_MUTANT(environment_not_blurred, blur * blur, zero),
-                                   zr_vf_min(zr_vf_max(share, zero), one), false, false};
+                                   zr_vf_min(zr_vf_max(share, zero), one), false, false, alpha};
 }
 
 /* Returns L: the radiance gathered around d. */
 static inline struct zr_vec3_v zr_environment_gathered_v(const struct zr_environment_light *light, struct zr_vec3_v d,
                                                          const struct zr_gathering_v *gathering)
 {
+    if (light->map) return zr_map_gathered_v(light->map, d, gathering->alpha);
     const zr_vf square_blur = gathering->square_blur, half = zr_vf_set(0.5f);
     const zr_vf up =
         half + half * zr_blurred_sign_v(d.y, zr_vf_set(light->half_width * light->half_width) + square_blur);

@@ -24,7 +24,7 @@ static zr_vec3 level(zr_vec3 v, zr_vec3 up)
 }
 
 /* Computes the environment's axes in eye space: y is up, z points towards the camera. Seen from straight above, z
- * points down the picture. */
+ * points down the picture. The axes of an image are the scene's. */
 static void environment_axes(const struct zr_scene *scene, const zr_mat4 *world_to_eye, zr_vec3 axes[3])
 {
     const zr_vec3 back = {0, 0, 1}, down = {0, -1, 0};
@@ -32,6 +32,13 @@ static void environment_axes(const struct zr_scene *scene, const zr_mat4 *world_
     axes[1] = (zr_vec3){0, 1, 0};
     axes[2] = back;
     if (scene->picture->environment.camera_frame) return;
+    if (scene->picture->environment.map) {
+        const bool z_is_up = scene->picture->z_is_up;
+        axes[0] = to_eye_space(world_to_eye, (zr_vec3){1, 0, 0});
+        axes[1] = to_eye_space(world_to_eye, zr_scene_up(scene));
+        axes[2] = to_eye_space(world_to_eye, z_is_up ? (zr_vec3){0, -1, 0} : (zr_vec3){0, 0, 1});
+        return;
+    }
     axes[1] = to_eye_space(world_to_eye, zr_scene_up(scene));
     const zr_vec3 towards = level(back, axes[1]);
     axes[2] = zr_vec3_normalize(zr_vec3_dot(towards, towards) > 1e-6f ? towards : level(down, axes[1]));
@@ -134,7 +141,9 @@ void zr_linear_lighting_make(struct zr_arena *arena, const struct zr_scene *scen
                                             .tone = picture->tone,
                                             .exposure = picture->exposure,
                                             .gooch = picture->gooch};
-    lighting->has_environment = zr_environment_make(picture->environment.name, &lighting->environment);
+    if (picture->environment.map) lighting->environment = zr_environment_of_map(picture->environment.map);
+    lighting->has_environment =
+        picture->environment.map || zr_environment_make(picture->environment.name, &lighting->environment);
     set_nearness(camera, bounds, lighting);
     if (!lamps) return;
     turn_environment(scene, &camera->world_to_eye, lighting->eye_to_environment);

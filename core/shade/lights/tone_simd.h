@@ -20,6 +20,11 @@ static inline zr_vf zr_mix_v(zr_vf a, zr_vf b, zr_vf share)
     return a + (b - a) * share;
 }
 
+static inline struct zr_vec3_v zr_mix3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
+{
+    return (struct zr_vec3_v){zr_mix_v(a.x, b.x, share), zr_mix_v(a.y, b.y, share), zr_mix_v(a.z, b.z, share)};
+}
+
 static inline struct zr_vec3_v zr_tone_neutral_v(struct zr_vec3_v c, float toe)
 {
     const zr_vf one = zr_vf_set(1.0f), start = zr_vf_set(0.8f - toe), d = zr_vf_set(1.0f - (0.8f - toe));

@@ -42,11 +42,6 @@ static inline struct zr_vec3_v zr_to_eye_v(const struct zr_linear_lighting *ligh
     return zr_normalize_v(zr_scale_v(point, zr_vf_set(-1.0f)));
 }
 
-static inline struct zr_vec3_v zr_mix3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
-{
-    return (struct zr_vec3_v){zr_mix_v(a.x, b.x, share), zr_mix_v(a.y, b.y, share), zr_mix_v(a.z, b.z, share)};
-}
-
 /* Returns the light of a hemisphere in direction d: a mix of ground and sky. */
 static inline struct zr_vec3_v zr_hemisphere_v(const struct zr_lamp *lamp, struct zr_vec3_v d)
 {

@@ -216,7 +216,7 @@ TEST(keys_of_environments_go_before_the_look_one_by_one)
     EXPECT("studio", "\"environment\": \"outdoor\"", w.environment.name = ZR_ENVIRONMENT_OUTDOOR,
            w.environment.camera_frame = false);
     EXPECT("outdoor", "\"environment\": {\"name\": \"studio\", \"intensity\": 2}",
-           w.environment = ((struct zr_environment){ZR_ENVIRONMENT_STUDIO, 2, 0, true}));
+           w.environment = ((struct zr_environment){ZR_ENVIRONMENT_STUDIO, 2, 0, true, NULL}));
     EXPECT("outdoor", "\"environment\": {\"rotationDegrees\": 90}", w.environment.rotation_degrees = 90);
     EXPECT("studio", "\"environment\": {\"frame\": \"world\"}", w.environment.camera_frame = false);
     EXPECT("textbook", "\"environment\": \"studio\"", w.environment.name = ZR_ENVIRONMENT_STUDIO, w.is_linear = true);
