@@ -500,6 +500,12 @@ bench-python: ## the Python package beside the same calls in C, and two threads 
 	@$(MAKE) -s -j$(JOBS) library $(BUILD)/tests/bench/alone/library_draw
 	@ROUNDS="$(or $(ROUNDS),31)" $(PYTHON) tests/bench/python/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
 
+.PHONY: bench-looks
+bench-looks: ## processor time of complete looks, kept scenes, one thread; AGAINST=DIR: before it, that of another build, in turns; ROUNDS=15
+	@.ci/need $(NEED_BUILD)
+	@$(MAKE) -s -j$(JOBS) library $(BUILD)/tests/bench/alone/look_times
+	@$(BUILD)/tests/bench/alone/look_times $(or $(ROUNDS),15) $(DATA)/models $(AGAINST:%=%/libzraster.so.0) $(BUILD)/libzraster.so.0
+
 .PHONY: bench-surfaces
 bench-surfaces: ## looks of 16 samples a pixel beside 64, which light each sample: RMS in steps of 255; ARGS="--against DIR"
 	@.ci/need $(NEED_BUILD) /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/numpy=python3-numpy
