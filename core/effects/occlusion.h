@@ -2,7 +2,7 @@
  *
  * In:     the G-buffer of pixel centres (owner, normal, point). Out: one float per pixel, 0 (dark) .. 1 (open), in the
  *         layout of the G-buffer; 1 for uncovered pixels and lines.
- * How:    4 axes, each in both directions, of 4 steps, interleaved over 4 x 4 pixels. Each point found is the top of a
+ * How:    2 axes, each in both directions, of 4 steps, interleaved over 4 x 4 pixels. Each point found is the top of a
  *         column on the plane of the pixel's point, which hides light as in a height field. Then a separable 5 x 5 blur
  *         over pixels on the same plane. Samples interpolate the four nearest pixel centres: bilinear weights, divided by the squared distance
  *         to the sample's plane.
@@ -63,7 +63,7 @@ ZR_KERNEL_TABLE(zr_occlusion_places_fn, zr_occlusion_places)
 
 /* ---- kernels of zr_occlusion_make ---- */
 
-enum { ZR_OCCLUSION_AXES = 4, ZR_OCCLUSION_STEPS = 4, ZR_OCCLUSION_TILE = 4 };
+enum { ZR_OCCLUSION_AXES = 2, ZR_OCCLUSION_STEPS = 4, ZR_OCCLUSION_TILE = 4 };
 
 /* Parameters shared by all pixels. Table rows hold the pattern of 4 pixels repeated to 16, so that a vector for pixel x
  * can be loaded from x & 15; the first index is y & 3. */

@@ -278,26 +278,26 @@ static const struct {
     double most; /* root of the mean square difference */
 } scenes[] = {
     {"hole_shallow", hole_shallow, {90, 1.8, 0}, 0.004},
-    {"hole_even", hole_even, {90, 1.8, 9}, 0.008},
-    {"hole_deep", hole_deep, {90, 1.8, 0}, 0.050},
-    {"hole_wide", hole_wide, {70, 2.4, 12}, 0.042},
-    {"slot", slot, {90, 1.8, 9}, 0.032},
-    {"groove", groove, {90, 1.8, 0}, 0.038},
-    {"groove_wide", groove_wide, {60, 2.4, 0}, 0.041},
-    {"valley", valley, {90, 1.8, 0}, 0.014},
-    {"valley_steep", valley_steep, {90, 1.8, 9}, 0.081},
-    {"room", room, {35, 2.6, 12}, 0.013},
-    {"step", step, {50, 2, 0}, 0.024},
+    {"hole_even", hole_even, {90, 1.8, 9}, 0.006},
+    {"hole_deep", hole_deep, {90, 1.8, 0}, 0.052},
+    {"hole_wide", hole_wide, {70, 2.4, 12}, 0.040},
+    {"slot", slot, {90, 1.8, 9}, 0.037},
+    {"groove", groove, {90, 1.8, 0}, 0.034},
+    {"groove_wide", groove_wide, {60, 2.4, 0}, 0.036},
+    {"valley", valley, {90, 1.8, 0}, 0.015},
+    {"valley_steep", valley_steep, {90, 1.8, 9}, 0.090},
+    {"room", room, {35, 2.6, 12}, 0.014},
+    {"step", step, {50, 2, 0}, 0.023},
     {"wall", wall, {35, 2.3, 9}, 0.018},
-    {"stairs", stairs, {45, 2.3, 0}, 0.031},
-    {"block", block, {40, 2.2, 9}, 0.036},
-    {"blocks", blocks, {60, 2.2, 0}, 0.058},
-    {"ball", ball, {35, 2.2, 9}, 0.043},
-    {"balls", balls, {60, 2, 0}, 0.063},
-    {"ball_in_hole", ball_in_hole, {75, 2, 9}, 0.047},
+    {"stairs", stairs, {45, 2.3, 0}, 0.032},
+    {"block", block, {40, 2.2, 9}, 0.035},
+    {"blocks", blocks, {60, 2.2, 0}, 0.060},
+    {"ball", ball, {35, 2.2, 9}, 0.041},
+    {"balls", balls, {60, 2, 0}, 0.062},
+    {"ball_in_hole", ball_in_hole, {75, 2, 9}, 0.054},
     {"rod", rod, {45, 2.2, 0}, 0.046},
-    {"pins", pins, {60, 2.2, 9}, 0.066},
-    {"rod_in_the_air", rod_in_the_air, {60, 2.2, 9}, 0.067},
+    {"pins", pins, {60, 2.2, 9}, 0.067},
+    {"rod_in_the_air", rod_in_the_air, {60, 2.2, 9}, 0.066},
     {"pipes", pipes, {60, 2.2, 0}, 0.078},
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
@@ -337,7 +337,7 @@ TEST(light_is_that_of_rays)
         sum += rms;
     }
     print_message("mean %.4f\n", sum / SCENES);
-    assert_true(sum <= 0.04 * SCENES);
+    assert_true(sum <= 0.041 * SCENES);
 }
 
 static float light_at_the_bottom(double depth)
