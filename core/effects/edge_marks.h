@@ -13,7 +13,7 @@
 #include "base/isa.h"
 #include "base/run.h"
 #include "base/team.h"
-#include "effects/edges.h"
+#include "effects/sample_pairs.h"
 #include "raster/tile.h"
 #include "shade/draw_attributes.h"
 #include "shade/lights/gbuffer.h"

@@ -19,15 +19,10 @@
 #include "base/team.h"
 #include "core.h"
 #include "effects/occlusion.h"
-#include "raster/tile.h"
+#include "effects/sample_pairs.h"
 #include "scene/effects.h"
 #include "shade/draw_attributes.h"
 #include "shade/lights/gbuffer.h"
-
-/* Pairs of neighbouring samples of a tile, a bit each: sample x of row y and the one to its right, or above. */
-struct zr_sample_pairs {
-    uint64_t along[ZR_TILE_SIZE], upwards[ZR_TILE_SIZE];
-};
 
 /* Marks of a picture of width x height pixels with side x side samples per pixel. Tiles are squares of ZR_TILE_SIZE
  * samples (raster/tile.h), numbered row by row from the lower left. */

@@ -11,8 +11,8 @@
 #define ZR_SURFACES_H
 
 #include "base/isa.h"
-#include "effects/edges.h"
 #include "effects/occlusion.h"
+#include "effects/sample_pairs.h"
 #include "raster/tile.h"
 #include "scene/scene.h"
 #include "shade/lights/gbuffer.h"

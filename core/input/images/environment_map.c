@@ -347,7 +347,7 @@ static void put_border(float (*texels)[4], uint32_t side)
 static bool make_level(struct making *m, struct zr_arena *scratch, float roughness, uint32_t side,
                        const struct sums *from, float (*texels)[4])
 {
-    struct gathered gathered;
+    struct gathered gathered = {0};
     const struct lobe lobe = lobe_of(roughness);
     if (roughness > 0.0f && !make_gathered(scratch, from, &gathered)) return false;
     for (uint32_t j = 0; j < side; j++) {
