@@ -260,7 +260,9 @@ static zr_vec4 *make(const struct zr_run *run, const struct zr_mesh *mesh, float
     c.slots = (uint32_t *)(void *)rooms.rest;
     c.counts = c.slots + corner_count;
     c.groups = mesh->face_groups ? rooms.vertices + mesh->position_count : NULL;
-    c.bent = !c.groups && zr_crease_degrees_allow_noise(degrees) ? rooms.bent : NULL;
+    /* A mesh that is a window on the faces of another lacks those around it. */
+    const bool is_window = mesh->face_offsets[0] > 0;
+    c.bent = !c.groups && !is_window && zr_crease_degrees_allow_noise(degrees) ? rooms.bent : NULL;
     if (c.vertex_count > 0) make_normals(run->team, &c);
     if (c.bent && !zr_is_cancelled(run->cancel)) smooth_fans(run, &c, input.diagonal);
     zr_arena_trim(run->arena, rooms.all, rooms.size, 0, 1);
