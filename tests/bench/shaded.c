@@ -176,7 +176,7 @@ static bool make_linear_program(struct shaded *shaded, struct reference_error *e
              "const int shading = %d;\n",
              batch->light == REFERENCE_LIT ? 0 : 1, (double)toes[picture->tone], (int)picture->environment.name,
              shaded->scene->light_count, batch->textured ? 1 : 0, (int)ZR_SHADING_PBR);
-    shaded->program = look_program(text, error);
+    shaded->program = look_program_fixed(text, error);
     if (!shaded->program) return false;
     const struct reference_uniform *uniforms = look_twin_uniforms(&twin);
     glUseProgram(shaded->program);

@@ -9,7 +9,6 @@
 #include "reference/average.h"
 #include "reference/generate/batches.h"
 #include "reference/gl/layers_twin.h"
-#include "reference/gl/look_twin.h"
 #include "reference/page/report.h"
 #include "reference/subject.h"
 #include "scene/picture.h"
@@ -145,7 +144,8 @@ static bool draw_average(struct harness *harness, const struct zr_scene *scene, 
 static bool draw_look(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
                       const struct batches_options *options)
 {
-    struct look_twin twin = {harness->reference, &harness->arena, &harness->look_program, scene, camera, *options};
+    struct look_twin twin = {harness->reference, &harness->arena,    &harness->look_programs, scene, camera,
+                             *options,           &harness->undecided};
     struct reference_error error = {"out of memory, or too many lamps"};
     twin.options.purpose = BATCHES_LIGHT;
     if (look_twin_draw(&twin, harness->rgba, harness->gaps, &error)) return true;
@@ -258,6 +258,13 @@ static bool too_many_near(const struct comparison *before, const struct comparis
     return near > LOOK_TWIN_NEAR_MAX + pixels / LOOK_TWIN_PIXELS_PER_NEAR;
 }
 
+/* Few pixels are left out. */
+static bool too_many_undecided(const struct harness *harness, const struct zr_scene *scene)
+{
+    const uint64_t pixels = (uint64_t)scene->views[0].width * scene->views[0].height;
+    return harness->undecided > LOOK_TWIN_UNDECIDED_MAX + pixels / LOOK_TWIN_PIXELS_PER_UNDECIDED;
+}
+
 /* Both pictures stand until the next call; out->frame tells whether both sides gave one. */
 static enum verdict compare_sides(struct harness *harness, const struct zr_scene *scene, struct tally *tally,
                                   struct harness_pictures *out)
@@ -268,7 +275,7 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     const struct zr_frame *frame = subject_render(&harness->arena, harness->team, scene);
     if (!frame) return VERDICT_DIFFERENT;
     struct batches batches;
-    harness->layers_alone = harness->sums_different = 0;
+    harness->layers_alone = harness->sums_different = harness->undecided = 0;
     if (!reference_render(harness, scene, frame, &batches)) return VERDICT_UNPROVED;
     out->frame = frame;
     out->want =
@@ -295,6 +302,8 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     nearness_free(&nearness);
     tally->comparison.visible += harness->layers_alone;
     tally->comparison.color += harness->sums_different;
+    tally->undecided += harness->undecided;
+    if (too_many_undecided(harness, scene)) return VERDICT_UNPROVED;
     if (scene->picture->is_linear && too_many_near(&before, &tally->comparison)) {
         tally->comparison.color += tally->comparison.color_near - before.color_near;
         return VERDICT_DIFFERENT;
@@ -389,6 +398,7 @@ void tally_add(struct tally *sum, const struct tally *more)
     sum->clipped += more->clipped;
     sum->left_out += more->left_out;
     sum->colors_left_out += more->colors_left_out;
+    sum->undecided += more->undecided;
     sum->parity_faces += more->parity_faces;
     sum->twins_pixels += more->twins_pixels;
     sum->twins_beyond += more->twins_beyond;

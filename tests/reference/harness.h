@@ -9,6 +9,7 @@
 
 #include "core.h"
 #include "reference/compare.h"
+#include "reference/gl/look_twin.h"
 #include "reference/line_rule.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
@@ -21,6 +22,7 @@ struct tally {
     uint64_t left_out; /* of bars that are not exact: float itself is too coarse, or there are outlines or lines */
     uint64_t twins_pixels, twins_beyond; /* of channels (twins.h): compared, and differ by more than they may */
     uint64_t colors_left_out; /* of pictures in linear light that have no twin (look_twin.h): the rest is compared */
+    uint64_t undecided;       /* pixels in linear light that are gaps, since rounding decides what is one surface */
     struct comparison comparison;
 };
 
@@ -42,7 +44,7 @@ struct harness {
     struct reference *reference;
     enum line_rule line_rule; /* the reference's */
     bool lines_compare;       /* our side can draw by it */
-    unsigned look_program;    /* look_twin.h */
+    struct look_programs look_programs;
     struct zr_arena arena;
     struct zr_team *team;
     int failures_left; /* how many may still be written */
@@ -52,6 +54,7 @@ struct harness {
     uint32_t *owner;
     /* Pixels of the picture at hand: show nothing but layers; have other sums (layers_twin.h). */
     uint64_t layers_alone, sums_different;
+    uint64_t undecided; /* likewise: look_twin.h */
 };
 
 /* What both sides drew; stands until the harness's next picture. */

@@ -13,7 +13,7 @@ static const char *const vertex =
     "in vec4 tangent, along_x, along_y, w_along;\n"
     "out vec4 place;\n"
     "out vec3 base, normal, way, lean;\n"
-    "flat out float side, hand;\n"
+    "flat out float side, hand, corner;\n"
     "flat out vec4 step_x, step_y, step_w;\n"
     "void main()\n"
     "{\n"
@@ -30,8 +30,41 @@ static const char *const vertex =
     "    way = p.xyz - viewer.xyz * p.w;\n"
     "    base = gl_Color.rgb;\n"
     "    side = gl_Color.w;\n"
+    "    corner = float(gl_VertexID);\n"
     "    gl_Position = ftransform();\n"
     "}\n";
+
+/* What look_surfaces.c reads of samples. */
+static const char *const values = "#version 400 compatibility\n"
+                                  "uniform float which;\n"
+                                  "in vec3 base, normal, way;\n"
+                                  "flat in float side, corner;\n"
+                                  "void main()\n"
+                                  "{\n"
+                                  "    bool back = side == 0.0 ? !gl_FrontFacing : side == 2.0;\n"
+                                  "    vec3 n = side == 3.0 ? vec3(0.0) : back ? -normal : normal;\n"
+                                  "    gl_FragColor = which == 0.0   ? vec4(base, 1.0 + corner)\n"
+                                  "                   : which == 1.0 ? vec4(n, side)\n"
+                                  "                                  : vec4(way, gl_FragCoord.w);\n"
+                                  "}\n";
+
+/* A surface, whose values are known. Its coordinate 0 is the way from the eye. */
+static const char *const surface_vertex = "#version 400 compatibility\n"
+                                          "out vec4 place;\n"
+                                          "out vec3 base, normal, way, lean;\n"
+                                          "flat out float side, hand;\n"
+                                          "flat out vec4 step_x, step_y, step_w;\n"
+                                          "void main()\n"
+                                          "{\n"
+                                          "    place = step_x = step_y = step_w = vec4(0.0);\n"
+                                          "    lean = vec3(0.0);\n"
+                                          "    hand = 0.0;\n"
+                                          "    base = gl_Color.rgb;\n"
+                                          "    side = gl_Color.w;\n"
+                                          "    normal = gl_Normal;\n"
+                                          "    way = gl_MultiTexCoord0.xyz;\n"
+                                          "    gl_Position = gl_Vertex;\n"
+                                          "}\n";
 
 static const char *const version = "#version 400 compatibility\n";
 
@@ -344,15 +377,28 @@ static const char *const surfaces =
     "    gl_FragColor = vec4(color_of(back ? -n : n, v, own), film);\n"
     "}\n";
 
+static unsigned make(const char *of_vertices, const char *fixed, struct reference_error *error)
+{
+    static char fragment[1 << 15];
+    snprintf(fragment, sizeof fragment, "%s%s%s%s%s%s%s%s%s", version, fixed, declarations, textures, tone,
+             environments, radiances, pbr, surfaces);
+    return reference_program(of_vertices, fragment, error);
+}
+
 _Static_assert(ZR_SHADING_UNLIT == 0 && ZR_SHADING_PHONG == 3 && ZR_SHADING_NORMALS == 4 && ZR_SHADING_PBR == 5 &&
                    ZR_SHADING_GOOCH == 6 && ZR_SHADING_XRAY == 7 && LOOK_LAMPS_MAX == 64 &&
                    ZR_ENVIRONMENT_STUDIO == 1 && ZR_ENVIRONMENT_METAL == 2 && ZR_ENVIRONMENT_OUTDOOR == 3,
                "the program has these numbers");
 
-unsigned look_program(const char *fixed, struct reference_error *error)
+unsigned look_program_fixed(const char *fixed, struct reference_error *error)
 {
-    static char fragment[1 << 15];
-    snprintf(fragment, sizeof fragment, "%s%s%s%s%s%s%s%s%s", version, fixed ? fixed : "", declarations, textures, tone,
-             environments, radiances, pbr, surfaces);
-    return reference_program(vertex, fragment, error);
+    return make(vertex, fixed, error);
+}
+
+unsigned look_program(struct look_programs *programs, enum look_program which, struct reference_error *error)
+{
+    unsigned *own = &programs->of[which];
+    if (*own) return *own;
+    if (which == LOOK_PROGRAM_VALUES) return *own = reference_program(vertex, values, error);
+    return *own = make(which == LOOK_PROGRAM_SURFACES ? surface_vertex : vertex, "", error);
 }

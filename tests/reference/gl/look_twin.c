@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "reference/average.h"
+#include "reference/gl/look_surfaces.h"
 #include "reference/gl/look_texture.h"
 #include "scene/picture.h"
 #include "shade/lights/dfg.h"
@@ -287,31 +288,39 @@ static bool show_backs(struct zr_arena *arena, struct zr_scene *scene)
     return true;
 }
 
+/* The program lights each sample. */
+static bool light_samples(const struct look_twin *twin, const struct zr_scene *large,
+                          const struct reference_arrays *arrays, float *samples, uint8_t *gaps,
+                          struct reference_error *error)
+{
+    struct look_corners corners;
+    if (!look_corners_make(twin->arena, large, arrays, &corners)) return false;
+    const struct reference_attribute attributes[] = {{"tangent", 4, &corners.tangents->x},
+                                                     {"along_x", 4, &corners.along_x->x},
+                                                     {"along_y", 4, &corners.along_y->x},
+                                                     {"w_along", 4, &corners.w_along->x}};
+    const struct reference_shader shader = {.program = look_program(twin->programs, LOOK_PROGRAM_SAMPLES, error),
+                                            .attribute_count = sizeof attributes / sizeof *attributes,
+                                            .attributes = attributes,
+                                            .uniform_count = LOOK_UNIFORMS,
+                                            .uniforms = look_twin_uniforms(twin)};
+    return shader.program && reference_draw_floats(twin->reference, arrays, &shader, samples, error) &&
+           reference_read_gaps(twin->reference, gaps, error);
+}
+
 /* Four floats a sample: linear light, times its opacity, and that: 1 where something is that is no x-ray. */
 static bool draw_samples(const struct look_twin *twin, const struct zr_scene *large, float *samples, uint8_t *gaps,
                          struct reference_error *error)
 {
     struct batches batches;
-    struct look_corners corners;
     const uint32_t width = large->views[0].width, height = large->views[0].height;
-    if (!*twin->program) *twin->program = look_program(NULL, error);
-    if (!*twin->program) return false;
     if (!batches_make(twin->arena, large, twin->camera, &twin->options, &batches) ||
-        !put_sides(twin->arena, &batches.arrays) || !look_corners_make(twin->arena, large, &batches.arrays, &corners))
+        !put_sides(twin->arena, &batches.arrays))
         return false;
     batches.arrays.blended = zr_any_is_xray(large->materials, large->material_count);
-    const struct reference_attribute attributes[] = {{"tangent", 4, &corners.tangents->x},
-                                                     {"along_x", 4, &corners.along_x->x},
-                                                     {"along_y", 4, &corners.along_y->x},
-                                                     {"w_along", 4, &corners.w_along->x}};
-    const struct reference_shader shader = {.program = *twin->program,
-                                            .attribute_count = sizeof attributes / sizeof *attributes,
-                                            .attributes = attributes,
-                                            .uniform_count = LOOK_UNIFORMS,
-                                            .uniforms = look_twin_uniforms(twin)};
     if (!reference_resize(twin->reference, width, height, batches.parity_faces > 0, error) ||
-        !reference_draw_floats(twin->reference, &batches.arrays, &shader, samples, error) ||
-        !reference_read_gaps(twin->reference, gaps, error))
+        !(look_surfaces_are_lit(twin->scene) ? look_surfaces_draw : light_samples)(twin, large, &batches.arrays,
+                                                                                   samples, gaps, error))
         return false;
     batches_mark_thin(&batches, width, height, gaps);
     return true;

@@ -1,4 +1,5 @@
-/* look_twin.h - reference: pictures in linear light, by a program of GLSL that the reference runs for each sample.
+/* look_twin.h - reference: pictures in linear light, by a program of GLSL that the reference runs for each sample, or
+ * for each surface of a pixel (look_surfaces.h).
  *
  * The reference draws at `side` times the size, into 32-bit floats: what the program makes of the surface's own colour,
  * its normal and the way to the eye, which it interpolates itself. The formulas and the constants of environments are
@@ -13,28 +14,39 @@
 #include "reference/generate/batches.h"
 #include "reference/gl/reference_program.h"
 
+/* Rounding may decide what is one surface in so few pixels, beside one in many. */
+enum { LOOK_TWIN_UNDECIDED_MAX = 2, LOOK_TWIN_PIXELS_PER_UNDECIDED = 20000 };
+
 /* Ours may be off by so many steps of 255, since float rounds; but in so few pixels, beside one in many, that nothing
  * else is. */
-enum { LOOK_TWIN_SLACK = 1, LOOK_TWIN_NEAR_MAX = 2, LOOK_TWIN_PIXELS_PER_NEAR = 20000 };
+enum { LOOK_TWIN_SLACK = 1, LOOK_TWIN_NEAR_MAX = 4, LOOK_TWIN_PIXELS_PER_NEAR = 20000 };
 
 /* What of the scene's picture has no twin, for people; NULL: its colours can be compared. */
 const char *look_twin_lacks(const struct zr_scene *scene);
+
+/* look_program.c: the GLSL, which lights samples, or surfaces of given values; or tells values of samples. */
+enum look_program { LOOK_PROGRAM_SAMPLES, LOOK_PROGRAM_SURFACES, LOOK_PROGRAM_VALUES, LOOK_PROGRAMS };
+struct look_programs {
+    unsigned of[LOOK_PROGRAMS]; /* 0: not made yet */
+};
+unsigned look_program(struct look_programs *programs, enum look_program which, struct reference_error *error);
+
+/* The first with `fixed` of struct reference instead of uniforms; the caller deletes it. */
+unsigned look_program_fixed(const char *fixed, struct reference_error *error);
 
 /* What is drawn, and where to. */
 struct look_twin {
     struct reference *reference;
     struct zr_arena *arena;
-    unsigned *program; /* 0: not made yet */
+    struct look_programs *programs;
     const struct zr_scene *scene;
     const struct zr_camera *camera;
     struct batches_options options; /* of BATCHES_LIGHT */
+    uint64_t *undecided;            /* adds pixels in which rounding decides what is one surface */
 };
 
 /* To rgba, row 0 on top, as the channel color has it; gaps[pixel] is set where a sample of it is one. */
 bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error);
-
-/* look_program.c: the GLSL. `fixed` as in struct reference; NULL: uniforms. */
-unsigned look_program(const char *fixed, struct reference_error *error);
 
 /* All that it has as uniforms of the whole picture. They stand until the next call. */
 enum { LOOK_UNIFORMS = 18 };

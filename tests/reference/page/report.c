@@ -29,6 +29,7 @@ static void print_tally(const char *name, const struct tally *tally, enum compar
     print_explanations(c, bar);
     if (tally->parity_faces) printf("  by parity %" PRIu64 "  gaps %" PRIu64, tally->parity_faces, c->gaps);
     if (c->color_near) printf("  within 1 LSB %" PRIu64, c->color_near);
+    if (tally->undecided) printf("  surfaces undecided in %" PRIu64, tally->undecided);
     if (tally->colors_left_out) printf("  COLOURS LEFT OUT of %" PRIu64 " pictures", tally->colors_left_out);
     if (tally->twins_pixels) printf("  channels %" PRIu64, tally->twins_beyond);
     putchar('\n');

@@ -1,0 +1,198 @@
+#include "reference/gl/look_surfaces.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "support/surface_rule.h"
+#include "scene/picture.h"
+
+enum { SIDE = SURFACE_SIDE, SAMPLES = SURFACE_SAMPLES };
+
+bool look_surfaces_are_lit(const struct zr_scene *scene)
+{
+    return scene->picture->side == SIDE && scene->texture_count == 0 &&
+           !zr_any_is_xray(scene->materials, scene->material_count);
+}
+
+/* ---- samples ---- */
+
+/* Four floats per sample each, row 0 on top: colour, and 1 + a corner of the primitive, or 0; normal, and the side of
+ * look_program.c; way from the eye, and 1/w. */
+struct told {
+    uint32_t width, height;
+    float *base, *normal, *way;
+};
+
+static bool draw_told(const struct look_twin *twin, const struct reference_arrays *arrays, struct told *told,
+                      struct reference_error *error)
+{
+    float **const lists[] = {&told->base, &told->normal, &told->way};
+    const unsigned program = look_program(twin->programs, LOOK_PROGRAM_VALUES, error);
+    for (int k = 0; program && k < 3; k++) {
+        const float which = (float)k;
+        const struct reference_uniform uniform = {"which", 1, 1, &which};
+        const struct reference_shader shader = {.program = program, .uniform_count = 1, .uniforms = &uniform};
+        *lists[k] = zr_arena_alloc(twin->arena, (size_t)told->width * told->height, 4 * sizeof(float));
+        if (!*lists[k] || !reference_draw_floats(twin->reference, arrays, &shader, *lists[k], error)) return false;
+    }
+    return program;
+}
+
+/* Batches have their corners in order. */
+static const struct reference_batch *batch_of(const struct reference_arrays *arrays, uint32_t corner)
+{
+    uint32_t at = 0, end = arrays->batch_count;
+    while (end - at > 1) {
+        const uint32_t middle = at + (end - at) / 2;
+        if (arrays->batches[middle].first <= corner)
+            at = middle;
+        else
+            end = middle;
+    }
+    return &arrays->batches[at];
+}
+
+/* Lines have none, and the number behind all others. */
+static uint32_t material_of(const struct zr_scene *scene, const struct reference_arrays *arrays, uint32_t corner)
+{
+    const struct zr_material *material = batch_of(arrays, corner)->material;
+    return material ? (uint32_t)(material - scene->materials) : scene->material_count;
+}
+
+/* ---- surfaces ---- */
+
+/* Points that the reference lights. */
+struct points {
+    uint32_t count;
+    uint32_t *samples;   /* the place of each */
+    uint32_t *materials; /* of each */
+    uint32_t *of;        /* for each sample: the place of its surface; UINT32_MAX: uncovered */
+    zr_vec4 *positions, *front, *ways;
+    zr_vec3 *normals;
+};
+
+static bool make_points(struct zr_arena *arena, size_t samples, struct points *points)
+{
+    *points = (struct points){.samples = zr_arena_alloc(arena, samples, sizeof *points->samples),
+                              .materials = zr_arena_alloc(arena, samples, sizeof *points->materials),
+                              .of = zr_arena_alloc(arena, samples, sizeof *points->of),
+                              .positions = zr_arena_alloc(arena, samples, sizeof *points->positions),
+                              .front = zr_arena_alloc(arena, samples, sizeof *points->front),
+                              .ways = zr_arena_alloc(arena, samples, sizeof *points->ways),
+                              .normals = zr_arena_alloc(arena, samples, sizeof *points->normals)};
+    if (zr_arena_ok(arena)) memset(points->of, 0xFF, samples * sizeof *points->of);
+    return zr_arena_ok(arena);
+}
+
+static uint32_t place_of(const struct told *told, uint32_t corner, uint32_t sample)
+{
+    return corner + (SIDE - 1 - sample / SIDE) * told->width + sample % SIDE;
+}
+
+/* `corner`: the upper left sample of the pixel. */
+static void put_surface(const struct told *told, uint32_t corner, const struct surface *s, struct points *points)
+{
+    const uint32_t at = place_of(told, corner, s->first), i = points->count++;
+    const double x = (at % told->width + 0.5) / told->width, y = (at / told->width + 0.5) / told->height;
+    const bool is_line = told->normal[4 * at + 3] == 3.0f;
+    for (uint32_t k = 0; k < SAMPLES; k++)
+        if (s->samples >> k & 1) points->of[place_of(told, corner, k)] = at;
+    points->samples[i] = at;
+    points->materials[i] = s->material;
+    points->positions[i] = (zr_vec4){(float)(2.0 * x - 1.0), (float)(1.0 - 2.0 * y), 0.0f, 1.0f};
+    points->front[i] = (zr_vec4){(float)s->base[0], (float)s->base[1], (float)s->base[2], is_line ? 3.0f : 1.0f};
+    points->normals[i] = (zr_vec3){(float)s->normal[0], (float)s->normal[1], (float)s->normal[2]};
+    points->ways[i] = (zr_vec4){(float)s->way[0], (float)s->way[1], (float)s->way[2], 1.0f};
+}
+
+static void find_points(const struct look_twin *twin, const struct zr_scene *large,
+                        const struct reference_arrays *arrays, const struct told *told, struct points *points,
+                        uint8_t *gaps)
+{
+    const double scale = 0.5 * fabs((double)twin->camera->projection.m[5]) * twin->scene->views[0].height;
+    struct surface_sample samples[SAMPLES];
+    struct surface_pixel pixel;
+    for (uint32_t y = 0; y < told->height; y += SIDE)
+        for (uint32_t x = 0; x < told->width; x += SIDE) {
+            const uint32_t corner = y * told->width + x;
+            for (uint32_t k = 0; k < SAMPLES; k++) {
+                const size_t at = 4 * (size_t)place_of(told, corner, k);
+                const uint32_t primitive = (uint32_t)told->base[at + 3];
+                samples[k] =
+                    (struct surface_sample){.primitive = primitive,
+                                            .material = primitive > 0 ? material_of(large, arrays, primitive - 1) : 0,
+                                            .base = told->base + at,
+                                            .normal = told->normal + at,
+                                            .way = told->way + at,
+                                            .over_w = (double)told->way[at + 3]};
+            }
+            surface_pixel_find(samples, scale, &pixel);
+            for (uint32_t i = 0; i < pixel.count; i++)
+                put_surface(told, corner, &pixel.surfaces[i], points);
+            gaps[corner] |= pixel.is_undecided;
+            *twin->undecided += pixel.is_undecided;
+        }
+}
+
+/* ---- light ---- */
+
+/* The points of one material after those of another. */
+static bool make_arrays(const struct look_twin *twin, const struct zr_scene *large, const struct points *points,
+                        struct reference_arrays *out)
+{
+    static const zr_mat4 identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+    const uint32_t materials = large->material_count + 1;
+    struct reference_batch *batches = zr_arena_alloc(twin->arena, materials, sizeof *batches);
+    uint32_t *indices = zr_arena_alloc(twin->arena, points->count, sizeof *indices), count = 0;
+    if (!zr_arena_ok(twin->arena)) return false;
+    for (uint32_t m = 0; m < materials; m++) {
+        batches[m] = (struct reference_batch){.mode = REFERENCE_POINTS,
+                                              .first = count,
+                                              .modelview = &identity,
+                                              .material = m < large->material_count ? &large->materials[m] : NULL,
+                                              .point_size = 1.0f};
+        for (uint32_t i = 0; i < points->count; i++)
+            if (points->materials[i] == m) indices[count++] = i;
+        batches[m].count = count - batches[m].first;
+    }
+    *out = (struct reference_arrays){.positions = points->positions,
+                                     .front = points->front,
+                                     .normals = points->normals,
+                                     .texcoords = points->ways,
+                                     .indices = indices,
+                                     .batch_count = materials,
+                                     .batches = batches,
+                                     .projection = identity};
+    return true;
+}
+
+/* Gives each sample the light of its surface. */
+static void spread(const struct points *points, size_t count, const float *light, float *samples)
+{
+    static const float none[4] = {0, 0, 0, 0};
+    for (size_t i = 0; i < count; i++)
+        memcpy(samples + 4 * i, points->of[i] == UINT32_MAX ? none : light + 4 * (size_t)points->of[i], sizeof none);
+}
+
+bool look_surfaces_draw(const struct look_twin *twin, const struct zr_scene *large,
+                        const struct reference_arrays *arrays, float *samples, uint8_t *gaps,
+                        struct reference_error *error)
+{
+    struct told told = {.width = large->views[0].width, .height = large->views[0].height};
+    const size_t count = (size_t)told.width * told.height;
+    struct points points;
+    struct reference_arrays lit;
+    if (!draw_told(twin, arrays, &told, error) || !reference_read_gaps(twin->reference, gaps, error) ||
+        !make_points(twin->arena, count, &points))
+        return false;
+    find_points(twin, large, arrays, &told, &points, gaps);
+    const struct reference_shader shader = {.program = look_program(twin->programs, LOOK_PROGRAM_SURFACES, error),
+                                            .uniform_count = LOOK_UNIFORMS,
+                                            .uniforms = look_twin_uniforms(twin)};
+    float *const light = told.base; /* no longer needed */
+    if (!shader.program || !make_arrays(twin, large, &points, &lit) ||
+        !reference_draw_floats(twin->reference, &lit, &shader, light, error))
+        return false;
+    spread(&points, count, light, samples);
+    return true;
+}
