@@ -135,7 +135,7 @@ $(core): OURS += $(core_flags)
 renderer_rooms := base scene geometry mesh sections raster shade lines effects overlay render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects) $(BUILD)/isas.o
-mutant_rooms := base geometry raster shade render
+mutant_rooms := base geometry raster shade effects render
 mutated := $(if $(MUTANTS),$(patsubst $(plain)/%,$(BUILD)/%,$(filter $(foreach room,$(mutant_rooms),$(plain)/core/$(room)/%),$(renderer))) \
 	$(filter $(foreach room,$(mutant_rooms),$(BUILD)/core/$(room)/%),$(kernel_objects)) $(BUILD)/isas.o)
 $(mutated): OURS += $(core_flags)

@@ -78,6 +78,10 @@
     row(points_cut_by_depth_alone)  /* 28, whose middle is beside the window */                                       \
     row(colors_not_decoded)         /* 23, colours are lit without decoding to linear light */                        \
     row(gradient_turned)            /* 23, backgrounds */                                                             \
+    row(joins_to_20_degrees)        /* 23a */                                                                         \
+    row(joined_keep_first_values)   /* 23a, no mean */                                                                \
+    row(primitives_at_middle)       /* 23a, values at the middle of the pixel */                                      \
+    row(shares_by_surfaces)         /* 23a, not by samples */                                                         \
     row(hemisphere_turned)          /* 24, the sky is below */                                                        \
     row(gooch_linear)               /* 24, no power of 1.5 */                                                         \
     row(bounces_once)               /* 25, without the multiple reflections of rough metals */                        \

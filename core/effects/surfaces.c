@@ -1,5 +1,7 @@
 #include "effects/surfaces.h"
 
+#include "base/mutant.h"
+
 enum { SIDE = ZR_SURFACES_SIDE, COLUMNS = ZR_SURFACES_COLUMNS };
 
 struct zr_gbuffer zr_surfaces_gbuffer(struct zr_surfaces *surfaces)
@@ -23,7 +25,8 @@ void zr_surfaces_put(const struct zr_surfaces *surfaces, int32_t row, float *con
     for (int32_t x = 0; x < surfaces->columns; x++) {
         float sum[4] = {0.0f, 0.0f, 0.0f, 0.0f};
         for (uint32_t i = first[x]; i < first[x + 1]; i++) {
-            const float share = (float)surfaces->samples[i] * (1.0f / (SIDE * SIDE));
+            const float by_samples = (float)surfaces->samples[i] * (1.0f / (SIDE * SIDE));
+            const float share = ZR_MUTANT(shares_by_surfaces, by_samples, 1.0f / (float)(first[x + 1] - first[x]));
             for (int k = 0; k < 3; k++)
                 sum[k] += surfaces->color[k][i] * share;
             sum[3] += share;

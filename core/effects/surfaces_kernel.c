@@ -1,3 +1,4 @@
+#include "base/mutant.h"
 #include "base/vec3_simd.h"
 #include "effects/surfaces.h"
 
@@ -9,7 +10,7 @@ enum {
 };
 
 /* The cosine of 6 degrees, and the largest difference of base colours in a surface. */
-#define LEAST_COSINE    0.99452190f
+#define LEAST_COSINE    ZR_MUTANT(joins_to_20_degrees, 0.99452190f, 0.93969262f)
 #define COLOR_TOLERANCE (1.0f / 64.0f)
 
 /* ---- primitives of a pixel ---- */
@@ -36,7 +37,8 @@ static inline uint32_t middle_of(uint32_t mask)
  * at 2 and 3. */
 static inline float middle_along(uint32_t mask, uint32_t odd, uint32_t upper, float count)
 {
-    return (float)(__builtin_popcount(mask & odd) + 2 * __builtin_popcount(mask & upper)) / count;
+    const float middle = (float)(__builtin_popcount(mask & odd) + 2 * __builtin_popcount(mask & upper)) / count;
+    return ZR_MUTANT(primitives_at_middle, middle, 1.5f);
 }
 
 /* A pixel: place of its first sample in the tile, and that sample in the window. */
@@ -222,7 +224,7 @@ static inline void take_first(struct zr_surfaces *s, uint32_t joined, struct ope
         count = (float)s->samples[at];
         samples += s->samples[at];
         for (int k = 0; k < VALUES; k++)
-            sum[k] += values_row(s, k)[at] * count;
+            sum[k] += values_row(s, k)[ZR_MUTANT(joined_keep_first_values, at, first)] * count;
     }
     move(s, first, to);
     if (open->count + 1 < all) put_means(s, sum, samples, to);
