@@ -228,7 +228,8 @@ static enum zr_status draw_light(struct drawing *d)
     struct zr_ground ground = {.light = NULL};
     struct zr_sample_stages stages = {.lighting = &lighting,
                                       .occlusion = has_occlusion ? &occlusion : NULL,
-                                      .has_xrays = zr_any_is_xray(d->scene->materials, d->scene->material_count),
+                                      .has_xrays = zr_any_is_xray(d->scene->materials, d->scene->material_count) ||
+                                                   zr_any_is_glass(d->scene->materials, d->scene->material_count),
                                       .out = &light};
     struct zr_post_desc desc = {.scene = d->scene, .light = &light, .ground = &ground, .out = d->frame->color};
     enum zr_status status = ZR_OK;
@@ -251,9 +252,13 @@ static enum zr_status draw_light(struct drawing *d)
     return status;
 }
 
-/* Makes surfaces with the shading xray blended and double-sided. */
-static void blend_xrays(struct zr_material *material)
+/* Makes glass blended, and surfaces with the shading xray blended and double-sided. */
+static void blend_layers(struct zr_material *material)
 {
+    if (zr_material_is_glass(material) && material->alpha_mode == ZR_ALPHA_OPAQUE) {
+        material->base_color.w = 1.0f;
+        material->alpha_mode = ZR_ALPHA_BLEND;
+    }
     if (!zr_shading_is_layered(material->shading)) return;
     material->double_sided = true;
     material->alpha_mode = ZR_ALPHA_BLEND;
@@ -263,15 +268,17 @@ bool zr_picture_scene(struct zr_arena *arena, const struct zr_scene *scene, stru
                       const struct zr_scene **out)
 {
     *out = scene;
-    if (!zr_any_is_xray(scene->materials, scene->material_count)) return true;
+    if (!zr_any_is_xray(scene->materials, scene->material_count) &&
+        !zr_any_is_glass(scene->materials, scene->material_count))
+        return true;
     *out = edited;
-    return zr_scene_edit_materials(arena, scene, blend_xrays, edited);
+    return zr_scene_edit_materials(arena, scene, blend_layers, edited);
 }
 
 enum zr_status zr_picture_draw(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
     struct drawing drawing = {run, scene, frame, NULL};
-    struct zr_scene with_xrays;
-    if (!zr_picture_scene(run->arena, scene, &with_xrays, &drawing.scene)) return ZR_NO_MEMORY;
+    struct zr_scene with_layers;
+    if (!zr_picture_scene(run->arena, scene, &with_layers, &drawing.scene)) return ZR_NO_MEMORY;
     return scene->picture->is_linear ? draw_light(&drawing) : draw_bytes(&drawing);
 }

@@ -199,7 +199,8 @@ enum zr_status zr_render_apart(const struct zr_run *run, const struct zr_scene *
         zr_error_add(run->error, status, NULL, "rendering needs more than the %zu bytes a request may use%s",
                      run->arena->ceiling,
                      zr_any_is_see_through(scene->materials, scene->material_count) ||
-                             zr_any_is_xray(scene->materials, scene->material_count)
+                             zr_any_is_xray(scene->materials, scene->material_count) ||
+                             zr_any_is_glass(scene->materials, scene->material_count)
                          ? ": all layers of translucent surfaces are kept, 8 bytes per pixel and layer"
                          : "");
     if (status == ZR_CANCELLED) zr_error_add(run->error, status, NULL, "rendering was stopped before it was done");

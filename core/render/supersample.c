@@ -73,8 +73,8 @@ struct lit_tile {
     uint32_t owner[TILE_WORDS], material[TILE_WORDS];
     struct zr_gbuffer_textures textures;
     union {
-        float texels[ZR_TEXTURE_VALUES][TILE_WORDS]; /* in the order of struct zr_gbuffer_textures */
-        struct zr_sample_room room;                  /* of tiles without textures, whose surfaces are lit */
+        float texels[ZR_TEXTURE_VALUES_FINISHED][TILE_WORDS]; /* in the order of struct zr_gbuffer_textures */
+        struct zr_sample_room room;                           /* of tiles without textures, whose surfaces are lit */
     };
 };
 
@@ -85,7 +85,7 @@ struct lit_room {
     struct zr_edge_samples edges;
 };
 
-static void point_at_texels(struct lit_tile *lit)
+static void point_at_texels(struct lit_tile *lit, const struct zr_texture_maps *maps)
 {
     for (int k = 0; k < 3; k++) {
         lit->textures.base[k] = lit->texels[k];
@@ -95,9 +95,13 @@ static void point_at_texels(struct lit_tile *lit)
     lit->textures.roughness = lit->texels[3];
     lit->textures.metallic = lit->texels[4];
     lit->textures.occlusion = lit->texels[5];
+    lit->textures.coat = maps->of_finishes ? lit->texels[12] : NULL;
+    lit->textures.coat_roughness = maps->of_finishes ? lit->texels[13] : NULL;
 }
 
-static struct zr_gbuffer gbuffer_of(struct lit_tile *lit, const struct zr_tile *tile, bool textured)
+/* `maps`: the textures of the scene, or NULL for a G-buffer without their values. */
+static struct zr_gbuffer gbuffer_of(struct lit_tile *lit, const struct zr_tile *tile,
+                                    const struct zr_texture_maps *maps)
 {
     struct zr_gbuffer out = {.width = tile->width,
                              .height = tile->height,
@@ -109,8 +113,8 @@ static struct zr_gbuffer gbuffer_of(struct lit_tile *lit, const struct zr_tile *
         out.normal[k] = lit->floats[3 + k];
         out.point[k] = lit->floats[6 + k];
     }
-    if (textured) {
-        point_at_texels(lit);
+    if (maps && maps->of) {
+        point_at_texels(lit, maps);
         out.textures = &lit->textures;
     }
     return out;
@@ -143,7 +147,7 @@ static void blend_light(const struct drawing *d, struct zr_layers *blended, stru
     float *const color[3] = {blended->front[0], blended->front[1], blended->front[2]};
     const float *const front[4] = {color[0], color[1], color[2], blended->front[3]};
     float *const sum[4] = {blended->sum[0], blended->sum[1], blended->sum[2], blended->sum[3]};
-    const struct zr_gbuffer samples = gbuffer_of(lit, layer, d->pass->attributes.textures.of != NULL);
+    const struct zr_gbuffer samples = gbuffer_of(lit, layer, &d->pass->attributes.textures);
     for (uint32_t depth = 0; depth < blended->most && !zr_is_cancelled(d->cancel); depth++) {
         zr_layers_show(blended, depth);
         d->paint->opacity(&d->pass->geometry, &d->pass->attributes, layer, blended->front[3]);
@@ -220,7 +224,7 @@ static void put_samples(const struct drawing *d, struct lit_room *room, const st
 
 static void mark_edges(const struct drawing *d, uint32_t number, const struct zr_tile *tile, struct lit_room *room)
 {
-    const struct zr_gbuffer samples = gbuffer_of(&room->tile, tile, false);
+    const struct zr_gbuffer samples = gbuffer_of(&room->tile, tile, NULL);
     struct zr_sample_pairs pairs;
     zr_surfaces_ends_of(d->isa)(d->stages->surfaces, &room->pixels, &pairs);
     room->edges.list.count = 0;
@@ -266,7 +270,7 @@ static uint32_t light_tile(const struct drawing *d, uint32_t number, const struc
         light_surfaces(d, number, tile, room);
         return 0;
     }
-    const struct zr_gbuffer samples = gbuffer_of(lit, tile, d->pass->attributes.textures.of != NULL);
+    const struct zr_gbuffer samples = gbuffer_of(lit, tile, &d->pass->attributes.textures);
     d->paint->samples(&d->pass->geometry, &d->pass->attributes, tile, &samples);
     if (stages->edges) zr_edges_mark_tile(stages->edges, d->isa, number, &samples, NULL);
     if (stages->occlusion)

@@ -39,6 +39,18 @@ enum zr_alpha_mode {
     ZR_ALPHA_COUNT
 };
 
+/* Effects of ZR_SHADING_PBR that few surfaces have; all 0: none. Floats only, for comparison and hashes.
+ * Source: the extensions of glTF 2.0 whose names begin with KHR_materials. */
+struct zr_finish {
+    float coat, coat_roughness; /* clearcoat: share of the surface that it covers, 0..1; roughness, 0..1 */
+    zr_vec3 sheen;              /* sheen: linear colour */
+    float sheen_roughness;      /* 0..1 */
+    float film;                 /* iridescence: share of the surface with a thin film, 0..1 */
+    float film_ior, film_nm;    /* its index of refraction, at least 1; its thickness, nanometres */
+    float transmission;         /* transmission: share of the light that enters and passes through, 0..1 */
+};
+enum { ZR_FINISH_FLOATS = sizeof(struct zr_finish) / sizeof(float) };
+
 struct zr_material {
     zr_vec4 base_color; /* multiplies the colours of faces and vertices */
     enum zr_alpha_mode alpha_mode;
@@ -49,6 +61,7 @@ struct zr_material {
     zr_vec3 reflectance;       /* ZR_SHADING_PBR: reflectance of plastics at normal incidence, 0..1 */
     float grazing;             /* ZR_SHADING_PBR: reflectance of plastics at grazing incidence, 0..1 */
     zr_vec3 emissive;          /* ZR_SHADING_PBR: emitted light, linear */
+    struct zr_finish finish;   /* ZR_SHADING_PBR */
     zr_vec3 cool;              /* ZR_SHADING_GOOCH: colour of the side away from the light */
     enum zr_shading shading;
     bool double_sided;  /* false: back faces are culled */
@@ -64,6 +77,25 @@ struct zr_material {
 
 /* Initial values of a plastic with the index of refraction 1.5. */
 #define ZR_MATERIAL_PLASTIC .reflectance = {0.04f, 0.04f, 0.04f}, .grazing = 1.0f
+
+static inline bool zr_finish_has_sheen(const struct zr_finish *finish)
+{
+    return finish->sheen.x > 0.0f || finish->sheen.y > 0.0f || finish->sheen.z > 0.0f;
+}
+
+static inline bool zr_material_has_finish(const struct zr_material *material)
+{
+    const struct zr_finish *finish = &material->finish;
+    return material->shading == ZR_SHADING_PBR &&
+           (finish->coat > 0.0f || finish->film > 0.0f || finish->transmission > 0.0f || zr_finish_has_sheen(finish));
+}
+
+/* True if light passes through the surface. The channel color blends it, like surfaces with the shading xray. */
+static inline bool zr_material_is_glass(const struct zr_material *material)
+{
+    return material->shading == ZR_SHADING_PBR && material->finish.transmission > 0.0f &&
+           material->alpha_mode != ZR_ALPHA_MASK;
+}
 
 static inline bool zr_material_has_textures(const struct zr_material *material)
 {
@@ -339,13 +371,21 @@ static inline const struct zr_material *zr_material_of_face(const struct zr_scen
 /* True if the channel color may show surfaces behind it. */
 static inline bool zr_material_is_layered(const struct zr_material *material)
 {
-    return material->alpha_mode != ZR_ALPHA_OPAQUE || zr_shading_is_layered(material->shading);
+    return material->alpha_mode != ZR_ALPHA_OPAQUE || zr_shading_is_layered(material->shading) ||
+           zr_material_is_glass(material);
 }
 
 static inline bool zr_any_is_xray(const struct zr_material *materials, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++)
         if (zr_shading_is_layered(materials[i].shading)) return true;
+    return false;
+}
+
+static inline bool zr_any_is_glass(const struct zr_material *materials, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (zr_material_is_glass(&materials[i])) return true;
     return false;
 }
 

@@ -38,6 +38,16 @@ static bool is_same_color(zr_vec3 a, zr_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+static bool is_same_finish(const struct zr_finish *a, const struct zr_finish *b)
+{
+    float left[ZR_FINISH_FLOATS], right[ZR_FINISH_FLOATS];
+    memcpy(left, a, sizeof left);
+    memcpy(right, b, sizeof right);
+    for (int i = 0; i < ZR_FINISH_FLOATS; i++)
+        if (left[i] != right[i]) return false;
+    return true;
+}
+
 static bool is_same(const struct zr_material *a, const struct zr_material *b)
 {
     return a->shading == b->shading && a->double_sided == b->double_sided && a->unfilled == b->unfilled &&
@@ -47,27 +57,37 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
            is_same_color(a->specular, b->specular) && is_same_color(a->reflectance, b->reflectance) &&
            a->grazing == b->grazing && is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
            a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff && a->normal_scale == b->normal_scale &&
-           a->occlusion_strength == b->occlusion_strength && memcmp(a->textures, b->textures, sizeof a->textures) == 0;
+           a->occlusion_strength == b->occlusion_strength && is_same_finish(&a->finish, &b->finish) &&
+           memcmp(a->textures, b->textures, sizeof a->textures) == 0;
+}
+
+static uint32_t hash_floats(uint32_t value, const float *numbers, size_t count)
+{
+    uint32_t word;
+    for (size_t i = 0; i < count; i++) {
+        const float number = numbers[i] + 0.0f; /* -0 equals 0 */
+        memcpy(&word, &number, sizeof word);
+        value = zr_hash_word(value, word);
+    }
+    return value;
 }
 
 /* Returns equal values for equal materials. */
 static uint32_t hash(const struct zr_material *m)
 {
+    float finish[ZR_FINISH_FLOATS];
+    memcpy(finish, &m->finish, sizeof finish);
     const float numbers[] = {
         m->base_color.x,    m->base_color.y,    m->base_color.z,  m->base_color.w,    m->shininess,
         m->specular.x,      m->specular.y,      m->specular.z,    m->outline_color.x, m->outline_color.y,
         m->outline_color.z, m->outline_color.w, m->metallic,      m->roughness,       m->emissive.x,
         m->emissive.y,      m->emissive.z,      m->cool.x,        m->cool.y,          m->cool.z,
         m->alpha_cutoff,    m->reflectance.x,   m->reflectance.y, m->reflectance.z,   m->grazing};
-    uint32_t value = ZR_HASH_BEGIN, word;
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-        const float number = numbers[i] + 0.0f; /* -0 equals 0 */
-        memcpy(&word, &number, sizeof word);
-        value = zr_hash_word(value, word);
-    }
-    word = (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 |
-           (uint32_t)m->is_hidden << 3 | (uint32_t)m->double_sided << 2 | (uint32_t)m->unfilled << 1 |
-           (uint32_t)m->uniform_color;
+    uint32_t value = hash_floats(ZR_HASH_BEGIN, numbers, sizeof numbers / sizeof *numbers);
+    value = hash_floats(value, finish, ZR_FINISH_FLOATS);
+    uint32_t word = (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 |
+                    (uint32_t)m->is_hidden << 3 | (uint32_t)m->double_sided << 2 | (uint32_t)m->unfilled << 1 |
+                    (uint32_t)m->uniform_color;
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         word = word * 31u + m->textures[slot];
     return zr_hash_word(value, word);

@@ -34,6 +34,8 @@ enum zr_texture_slot {
     ZR_TEXTURE_NORMAL,             /* RGB: -1 .. 1 along tangent, bitangent and normal */
     ZR_TEXTURE_OCCLUSION,          /* R: unoccluded share of the light from all around */
     ZR_TEXTURE_EMISSIVE,           /* RGB, sRGB-encoded */
+    ZR_TEXTURE_COAT,               /* R: share of the surface with a clear coat */
+    ZR_TEXTURE_COAT_ROUGHNESS,     /* G: roughness of the clear coat */
     ZR_TEXTURE_SLOTS
 };
 

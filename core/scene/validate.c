@@ -247,9 +247,13 @@ static void check_pixels(const struct zr_view *view, struct zr_error *error)
 
 static void check_xrays(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
-    if (zr_view_wants(view, ZR_CHANNEL_COLOR) && zr_any_is_xray(scene->materials, scene->material_count))
+    const bool has_color = zr_view_wants(view, ZR_CHANNEL_COLOR);
+    if (has_color && zr_any_is_xray(scene->materials, scene->material_count))
         zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
                      "painter keeps no fragments, which the shading xray needs; the other algorithms do");
+    if (has_color && zr_any_is_glass(scene->materials, scene->material_count))
+        zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
+                     "painter keeps no fragments, which transmissionFactor needs; the other algorithms do");
 }
 
 static void check_see_through(const struct zr_scene *scene, struct zr_error *error)

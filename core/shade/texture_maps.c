@@ -286,6 +286,14 @@ static const bool *find_used(struct zr_arena *arena, const struct zr_scene *scen
     return used;
 }
 
+static bool has_finish_textures(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        for (int slot = ZR_TEXTURE_COAT; slot < ZR_TEXTURE_SLOTS; slot++)
+            if (scene->materials[i].textures[slot]) return true;
+    return false;
+}
+
 static bool is_see_through(const struct zr_scene *scene, uint32_t texture)
 {
     for (uint32_t i = 0; i < scene->material_count; i++) {
@@ -349,7 +357,7 @@ enum zr_status zr_texture_maps_make(const struct zr_run *run, const struct zr_sc
                                     struct zr_texture_maps *maps)
 {
     struct making m = {.run = run, .scene = scene, .decode = decode};
-    *maps = (struct zr_texture_maps){NULL, NULL};
+    *maps = (struct zr_texture_maps){NULL, NULL, false};
     if (scene->texture_count == 0) return ZR_OK;
     struct zr_texture_map *of = zr_arena_zero(run->arena, scene->texture_count, sizeof *of);
     struct zr_texture_map *opacity = zr_arena_zero(run->arena, scene->texture_count, sizeof *opacity);
@@ -362,7 +370,7 @@ enum zr_status zr_texture_maps_make(const struct zr_run *run, const struct zr_sc
         if (is_see_through(scene, i) && !make_opacity(&m, &scene->textures[i], &opacity[i])) return ZR_NO_MEMORY;
         if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     }
-    *maps = (struct zr_texture_maps){of, opacity};
+    *maps = (struct zr_texture_maps){of, opacity, has_finish_textures(scene)};
     return ZR_OK;
 }
 

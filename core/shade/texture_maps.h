@@ -35,6 +35,7 @@ struct zr_texture_maps {
     /* One per texture, with the image's alpha in all colour components, for base colours of masked and blended
      * materials. For others, level_count is 0. */
     const struct zr_texture_map *opacity;
+    bool of_finishes; /* a material has a texture of its finish */
 };
 
 /* Makes the maps of the textures that a material has. They point to the scene, and to kept levels of its images.

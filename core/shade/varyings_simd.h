@@ -226,7 +226,7 @@ ZR_INLINED zr_vf zr_samples_load(const struct zr_samples_v *in, const float *arr
 }
 
 /* Output rows, one array per value of a maker. The tile's first sample is at the first of each. */
-enum { ZR_ROWS_MOST = 12 };
+enum { ZR_ROWS_MOST = 14 };
 struct zr_varying_rows {
     float *of[ZR_ROWS_MOST];
     ptrdiff_t stride;

@@ -74,7 +74,8 @@ static void compare_algorithms(struct zr_arena *arena, const struct zr_scene *sc
     if (other.algorithm == scene->algorithm ||
         (other.algorithm == ZR_ALGORITHM_PAINTER &&
          (corners > CORNERS_MAX_PAINTER || zr_any_is_see_through(scene->materials, scene->material_count) ||
-          zr_any_is_xray(scene->materials, scene->material_count))))
+          zr_any_is_xray(scene->materials, scene->material_count) ||
+          zr_any_is_glass(scene->materials, scene->material_count))))
         return;
     if (draw(arena, &other, resolved, &again) != ZR_OK) return;
     const size_t pixels = (size_t)scene->views[0].width * scene->views[0].height;

@@ -57,6 +57,15 @@ bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct 
 bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, const struct zr_texture *texture,
                          struct zr_parsed_texture *out);
 
+/* ---- gltf_finish.c ---- */
+
+enum zr_gltf_finish { ZR_GLTF_COAT, ZR_GLTF_SHEEN, ZR_GLTF_FILM, ZR_GLTF_TRANSMISSION, ZR_GLTF_FINISHES };
+
+/* Reads the finish of a material. `path` leads to its extensions. texts: JSON text of each extension, or NULL. Counts
+ * textures that are not drawn, for a warning. */
+void zr_gltf_read_finish(struct zr_gltf *file, const struct zr_json_path *path, const char *const texts[],
+                         struct zr_parsed_material *out);
+
 /* ---- gltf_gloss.c ---- */
 
 /* Converts linear colours within 0..1. Sets color[0..2] and metallic.

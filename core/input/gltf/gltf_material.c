@@ -71,7 +71,7 @@ static void read_pbr(struct zr_gltf *file, const struct zr_json_path *path, cons
 /* ---- extensions ---- */
 
 struct given_extensions {
-    const char *unlit, *strength, *ior, *specular, *glossiness; /* JSON text */
+    const char *unlit, *strength, *ior, *specular, *glossiness, *finish[ZR_GLTF_FINISHES]; /* JSON text */
 };
 enum { UNLIT, STRENGTH, IOR, SPECULAR, GLOSSINESS };
 #define AT(member) offsetof(struct given_extensions, member)
@@ -80,8 +80,13 @@ static const struct zr_json_field extension_fields[] = {
     [STRENGTH] = {.key = "KHR_materials_emissive_strength", .read = zr_json_value_start, .offset = AT(strength)},
     [IOR] = {.key = "KHR_materials_ior", .read = zr_json_value_start, .offset = AT(ior)},
     [SPECULAR] = {.key = "KHR_materials_specular", .read = zr_json_value_start, .offset = AT(specular)},
-    [GLOSSINESS] = {
-        .key = "KHR_materials_pbrSpecularGlossiness", .read = zr_json_value_start, .offset = AT(glossiness)}};
+    [GLOSSINESS] = {.key = "KHR_materials_pbrSpecularGlossiness",
+                    .read = zr_json_value_start,
+                    .offset = AT(glossiness)},
+    {.key = "KHR_materials_clearcoat", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_COAT])},
+    {.key = "KHR_materials_sheen", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_SHEEN])},
+    {.key = "KHR_materials_iridescence", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_FILM])},
+    {.key = "KHR_materials_transmission", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_TRANSMISSION])}};
 #undef AT
 static const struct zr_json_object extension_object = {ZR_JSON_FIELDS("extensions", extension_fields), .is_open = true};
 
@@ -116,13 +121,14 @@ static void read_glossy(struct zr_gltf *file, const struct zr_json_path *path, c
 static bool read_extensions(struct zr_gltf *file, const struct zr_json_path *path, const char *place,
                             struct zr_parsed_material *out, double *strength)
 {
-    struct given_extensions given = {NULL, NULL, NULL, NULL, NULL};
+    struct given_extensions given = {.unlit = NULL};
     struct given_strength emissive = {1};
     zr_gltf_fields_at(file, place, path, &extension_object, &given);
     if (given.unlit)
         out->face_style.shading = ZR_SHADING_UNLIT;
     else if (given.ior || given.specular)
         zr_gltf_read_reflectance(file, path, given.ior, given.specular, out);
+    if (!given.unlit) zr_gltf_read_finish(file, path, given.finish, out);
     if (given.glossiness) read_glossy(file, ZR_JSON_KEY(path, extension_fields[GLOSSINESS].key), given.glossiness, out);
     if (!given.strength) return given.glossiness != NULL;
     zr_gltf_fields_at(file, given.strength, ZR_JSON_KEY(path, extension_fields[STRENGTH].key), &strength_object,

@@ -8,6 +8,7 @@
 
 #include "input/files/assets.h"
 #include "scene/face_style.h"
+#include "scene/scene.h"
 #include "scene/texture.h"
 
 /* Sampling of a texture: indices of enum zr_filter and enum zr_wrap. */
@@ -27,6 +28,9 @@ struct zr_parsed_texture {
     uint32_t number; /* 1 + its index in the scene, set once the root is read; 0: none or refused */
 };
 
+/* Largest thickness of a thin film, nanometres. Thicker ones have no colours. */
+#define ZR_FILM_NM_MAX 1e5
+
 /* Keys of a material. */
 enum zr_material_key {
     ZR_MATERIAL_NAME,
@@ -44,6 +48,16 @@ enum zr_material_key {
     ZR_MATERIAL_NORMAL_TEXTURE,
     ZR_MATERIAL_OCCLUSION_TEXTURE,
     ZR_MATERIAL_EMISSIVE_TEXTURE,
+    ZR_MATERIAL_COAT,
+    ZR_MATERIAL_COAT_ROUGHNESS,
+    ZR_MATERIAL_COAT_TEXTURE,
+    ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE,
+    ZR_MATERIAL_SHEEN,
+    ZR_MATERIAL_SHEEN_ROUGHNESS,
+    ZR_MATERIAL_FILM,
+    ZR_MATERIAL_FILM_IOR,
+    ZR_MATERIAL_FILM_THICKNESS,
+    ZR_MATERIAL_TRANSMISSION,
     ZR_MATERIAL_BASE_COLOR_TEXTURE
 };
 
@@ -55,6 +69,7 @@ struct zr_parsed_material {
     zr_vec4 base_color, specular, cool;
     float shininess, metallic, roughness, ior, specular_factor;
     zr_vec3 emissive, specular_color;
+    struct zr_finish finish;
     struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
     bool blends;           /* of a file: blended, unless an alphaMode applies */

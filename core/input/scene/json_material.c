@@ -81,6 +81,27 @@ static const struct zr_json_field fields[] = {
                                        .text = "share of ambient light, in red"},
     [ZR_MATERIAL_EMISSIVE_TEXTURE] = {"emissiveTexture", zr_read_texture, AT(textures[ZR_TEXTURE_EMISSIVE]),
                                       .otherwise = "none", .text = "pbr: factor of emissiveFactor"},
+    [ZR_MATERIAL_COAT] = {"clearcoatFactor", zr_json_float, AT(finish.coat), 0, 1, .otherwise = "0",
+                          .text = "pbr: share of the surface with a clear coat"},
+    [ZR_MATERIAL_COAT_ROUGHNESS] = {"clearcoatRoughnessFactor", zr_json_float, AT(finish.coat_roughness), 0, 1,
+                                    .otherwise = "0", .text = "pbr: roughness of the clear coat"},
+    [ZR_MATERIAL_COAT_TEXTURE] = {"clearcoatTexture", zr_read_texture, AT(textures[ZR_TEXTURE_COAT]),
+                                  .otherwise = "none", .text = "pbr: factor of clearcoatFactor, in red"},
+    [ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE] = {"clearcoatRoughnessTexture", zr_read_texture,
+                                            AT(textures[ZR_TEXTURE_COAT_ROUGHNESS]), .otherwise = "none",
+                                            .text = "pbr: factor of clearcoatRoughnessFactor, in green"},
+    [ZR_MATERIAL_SHEEN] = {"sheenColorFactor", read_emissive, AT(finish.sheen), 0, 1, .otherwise = "[0, 0, 0]",
+                           .text = "pbr: colour of sheen, as of cloth, linear", .schema = ZR_SCHEMA_OF("rgb")},
+    [ZR_MATERIAL_SHEEN_ROUGHNESS] = {"sheenRoughnessFactor", zr_json_float, AT(finish.sheen_roughness), 0, 1,
+                                     .otherwise = "0", .text = "pbr: roughness of sheen"},
+    [ZR_MATERIAL_FILM] = {"iridescenceFactor", zr_json_float, AT(finish.film), 0, 1, .otherwise = "0",
+                          .text = "pbr: share of the surface with a thin film"},
+    [ZR_MATERIAL_FILM_IOR] = {"iridescenceIor", zr_json_float, AT(finish.film_ior), 1, IOR_MAX, .otherwise = "1.3",
+                              .text = "pbr: index of refraction of the film"},
+    [ZR_MATERIAL_FILM_THICKNESS] = {"iridescenceThickness", zr_json_float, AT(finish.film_nm), 0, ZR_FILM_NM_MAX,
+                                    .otherwise = "400", .text = "pbr: thickness of the film", .unit = "nm"},
+    [ZR_MATERIAL_TRANSMISSION] = {"transmissionFactor", zr_json_float, AT(finish.transmission), 0, 1, .otherwise = "0",
+                                  .text = "pbr: share of the light that passes through"},
     [ZR_MATERIAL_BASE_COLOR_TEXTURE] = {"baseColorTexture", zr_read_texture, AT(textures[ZR_TEXTURE_BASE_COLOR]),
                                         .otherwise = "none", .text = "factor of the colours of faces"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_material, face_style),
@@ -105,7 +126,7 @@ static int compare_name(const void *name, const void *given)
 /* Notes keys that need linear light. */
 static void note_linear_keys(struct zr_parsed_scene *root, uint64_t keys)
 {
-    for (int key = ZR_MATERIAL_METALLIC; key <= ZR_MATERIAL_EMISSIVE_TEXTURE && !root->linear_key; key++)
+    for (int key = ZR_MATERIAL_METALLIC; key < ZR_MATERIAL_BASE_COLOR_TEXTURE && !root->linear_key; key++)
         if (zr_json_gives(keys, key)) root->linear_key = fields[key].key;
 }
 
@@ -190,6 +211,11 @@ static void put_values(const struct zr_parsed_material *given, struct zr_materia
     if (zr_json_gives(given->keys, ZR_MATERIAL_ROUGHNESS)) material->roughness = given->roughness;
     if (zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE)) material->emissive = given->emissive;
     put_reflectance(given, material);
+    material->finish = given->finish;
+    if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_IOR)) material->finish.film_ior = 1.3f;
+    if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_THICKNESS)) material->finish.film_nm = 400.0f;
+    if (!(material->finish.film > 0.0f && material->finish.film_nm > 0.0f))
+        material->finish.film = material->finish.film_ior = material->finish.film_nm = 0.0f;
     if (zr_json_gives(given->keys, ZR_MATERIAL_COOL)) material->cool = rgb(given->cool);
 }
 
@@ -206,6 +232,11 @@ static void put_textures(const struct zr_parsed_material *given, struct zr_mater
     }
     if (zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE_TEXTURE) && !zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE))
         material->emissive = (zr_vec3){1, 1, 1};
+    if (zr_json_gives(given->keys, ZR_MATERIAL_COAT_TEXTURE) && !zr_json_gives(given->keys, ZR_MATERIAL_COAT))
+        material->finish.coat = 1.0f;
+    if (zr_json_gives(given->keys, ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE) &&
+        !zr_json_gives(given->keys, ZR_MATERIAL_COAT_ROUGHNESS))
+        material->finish.coat_roughness = 1.0f;
 }
 
 /* Leaves only the base colour of a material, with the numbers of its file; white without a given material. */
@@ -237,6 +268,16 @@ static uint32_t shadings_of(int key)
     case ZR_MATERIAL_EMISSIVE:
     case ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE:
     case ZR_MATERIAL_EMISSIVE_TEXTURE:
+    case ZR_MATERIAL_COAT:
+    case ZR_MATERIAL_COAT_ROUGHNESS:
+    case ZR_MATERIAL_COAT_TEXTURE:
+    case ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE:
+    case ZR_MATERIAL_SHEEN:
+    case ZR_MATERIAL_SHEEN_ROUGHNESS:
+    case ZR_MATERIAL_FILM:
+    case ZR_MATERIAL_FILM_IOR:
+    case ZR_MATERIAL_FILM_THICKNESS:
+    case ZR_MATERIAL_TRANSMISSION:
         return zr_shadings_lit(ZR_SHADED_PHYSICALLY);
     case ZR_MATERIAL_COOL:
         return zr_shadings_lit(ZR_SHADED_BY_OWN_LAMP);

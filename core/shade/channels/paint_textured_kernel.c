@@ -73,7 +73,14 @@ static inline struct zr_vec3_v zr_mapped_normal_v(struct zr_vec3_v texel, float 
 }
 
 /* Positions in the G-buffer's order of values. */
-enum { ZR_ROUGHNESS_VALUE = 3, ZR_METALLIC_VALUE, ZR_OCCLUSION_VALUE, ZR_EMISSIVE_VALUE, ZR_NORMAL_VALUE = 9 };
+enum {
+    ZR_ROUGHNESS_VALUE = 3,
+    ZR_METALLIC_VALUE,
+    ZR_OCCLUSION_VALUE,
+    ZR_EMISSIVE_VALUE,
+    ZR_NORMAL_VALUE = 9,
+    ZR_COAT_VALUE = 12
+};
 
 static inline void zr_take_three(zr_vf *out, zr_vm where, struct zr_vec3_v color)
 {
@@ -102,6 +109,11 @@ static inline void zr_take_textures(zr_vf out[ZR_ROWS_MOST], const struct zr_tex
     if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_NORMAL)))
         zr_take_three(out + ZR_NORMAL_VALUE, where,
                       zr_mapped_normal_v(zr_texture_at_v(map, texcoords), material->normal_scale, frame));
+    if (!maps->of_finishes) return;
+    if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_COAT)))
+        out[ZR_COAT_VALUE] = zr_vf_select(where, zr_texture_at_v(map, texcoords).x, out[ZR_COAT_VALUE]);
+    if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_COAT_ROUGHNESS)))
+        out[ZR_COAT_VALUE + 1] = zr_vf_select(where, zr_texture_at_v(map, texcoords).y, out[ZR_COAT_VALUE + 1]);
 }
 
 /* Makes the texture values. context: the G-buffer. Without a texture of a kind: 1, and the surface's own normal. */
@@ -117,6 +129,7 @@ ZR_INLINED void zr_make_textures(const struct zr_shader *s, const struct zr_samp
     values[ZR_NORMAL_VALUE] = normal.x;
     values[ZR_NORMAL_VALUE + 1] = normal.y;
     values[ZR_NORMAL_VALUE + 2] = normal.z;
+    values[ZR_COAT_VALUE] = values[ZR_COAT_VALUE + 1] = zr_vf_set(1.0f);
     if (in->count == 0) return;
     const zr_vf w = zr_varying_w(in);
     const struct zr_texcoords_v texcoords = zr_texcoords_of(in, zr_first_plane(mask, ZR_VARY_TEXCOORDS), w);
@@ -136,7 +149,7 @@ static inline struct zr_varying_rows zr_texture_rows_of(const struct zr_gbuffer 
     const struct zr_gbuffer_textures *t = to->textures;
     return (struct zr_varying_rows){{t->base[0], t->base[1], t->base[2], t->roughness, t->metallic, t->occlusion,
                                      t->emissive[0], t->emissive[1], t->emissive[2], t->normal[0], t->normal[1],
-                                     t->normal[2]},
+                                     t->normal[2], t->coat, t->coat_roughness},
                                     to->stride};
 }
 
@@ -149,7 +162,10 @@ void ZR_KERNEL(zr_paint_textured)(struct zr_shader *s, const struct zr_tile *til
 void ZR_KERNEL(zr_sample_textures)(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                    const struct zr_gbuffer *to)
 {
+    enum { GROUPS = ZR_VARY_TEXCOORDS | ZR_VARY_TANGENT | ZR_VARY_PER_PIXEL };
     const struct zr_varying_rows rows = zr_texture_rows_of(to);
-    zr_varyings_fill(s, tile, begin, end, ZR_VARY_TEXCOORDS | ZR_VARY_TANGENT | ZR_VARY_PER_PIXEL, zr_make_textures, to,
-                     ZR_TEXTURE_VALUES, &rows);
+    if (s->attributes->textures.of_finishes)
+        zr_varyings_fill(s, tile, begin, end, GROUPS, zr_make_textures, to, ZR_TEXTURE_VALUES_FINISHED, &rows);
+    else
+        zr_varyings_fill(s, tile, begin, end, GROUPS, zr_make_textures, to, ZR_TEXTURE_VALUES, &rows);
 }

@@ -15,13 +15,14 @@
 
 /* Values from textures, per sample. Without a texture of a kind: 1, and the surface's own normal. */
 struct zr_gbuffer_textures {
-    float *base[3];              /* factors of the base colour, in linear light */
-    float *roughness, *metallic; /* factors */
-    float *occlusion;            /* share of the ambient light that arrives */
-    float *emissive[3];          /* factors, linear */
-    float *normal[3];            /* unit, of the visible side */
+    float *base[3];               /* factors of the base colour, in linear light */
+    float *roughness, *metallic;  /* factors */
+    float *occlusion;             /* share of the ambient light that arrives */
+    float *emissive[3];           /* factors, linear */
+    float *normal[3];             /* unit, of the visible side */
+    float *coat, *coat_roughness; /* factors; NULL: no material has a texture of its finish */
 };
-enum { ZR_TEXTURE_VALUES = 12 }; /* values per sample, in this order */
+enum { ZR_TEXTURE_VALUES = 12, ZR_TEXTURE_VALUES_FINISHED = 14 }; /* values per sample, in this order */
 
 struct zr_gbuffer {
     int32_t width, height;

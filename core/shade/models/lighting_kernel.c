@@ -32,6 +32,17 @@ static struct zr_vec3_v shade_textured(const struct zr_linear_lighting *lighting
     return color;
 }
 
+/* Likewise. textures: NULL if the material has none. */
+static struct zr_vec3_v shade_finished(const struct zr_linear_lighting *lighting, const struct zr_material *material,
+                                       const struct zr_gbuffer_textures *textures, size_t at,
+                                       const struct zr_shading_v *s)
+{
+    const struct zr_shading_v copy = *s;
+    struct zr_vec3_v color;
+    ZR_KERNEL(zr_linear_light_finished)(lighting, material, textures, at, &copy, &color);
+    return color;
+}
+
 /* Shades the lanes `seen`, one material after the other. */
 static inline struct zr_vec3_v shade_all(const struct zr_linear_lighting *lighting, struct zr_light_cache *cache,
                                          const struct zr_gbuffer_textures *textures, size_t at, zr_vi numbers,
@@ -45,9 +56,11 @@ static inline struct zr_vec3_v shade_all(const struct zr_linear_lighting *lighti
         const uint32_t number = each[zr_lowest_bit(left)];
         const zr_vm of_it = zr_vi_eq(numbers, zr_vi_set((int32_t)number));
         const struct zr_material *material = &lighting->materials[number];
-        const struct zr_vec3_v color = textures && zr_material_has_textures(material)
-                                           ? shade_textured(lighting, material, textures, at, s)
-                                           : zr_shade_v(lighting, material, cache, s);
+        const bool is_textured = textures && zr_material_has_textures(material);
+        const struct zr_vec3_v color = zr_material_has_finish(material)
+                                           ? shade_finished(lighting, material, is_textured ? textures : NULL, at, s)
+                                       : is_textured ? shade_textured(lighting, material, textures, at, s)
+                                                     : zr_shade_v(lighting, material, cache, s);
         out = zr_choose_v(zr_vm_and(seen, of_it), color, out);
         left &= ~zr_vm_bits(of_it);
     }

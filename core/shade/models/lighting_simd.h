@@ -5,7 +5,7 @@
 #include "base/inlined.h"
 #include "base/srgb_color_simd.h"
 #include "shade/models/classic_simd.h"
-#include "shade/models/pbr_simd.h"
+#include "shade/models/finish_simd.h"
 
 /* Values kept from vector to vector, since most vectors have the colour and material of the one before. Recomputed for
  * every 64 samples, they took a sixteenth of the time. */
@@ -45,6 +45,7 @@ ZR_INLINED struct zr_vec3_v zr_shade_v(const struct zr_linear_lighting *lighting
     case ZR_SHADING_PHONG:
         return zr_exposed(lighting, zr_shade_classic_v(lighting, material, s));
     case ZR_SHADING_PBR:
+        if (ZR_FINISHES) return zr_exposed(lighting, zr_shade_finished_v(lighting, material, s));
         if (!s->textured && cache->columns.roughness != material->roughness)
             zr_dfg_columns_make(&cache->columns, material->roughness);
         return zr_exposed(lighting, zr_shade_pbr_v(lighting, material, &cache->columns, s));
@@ -59,6 +60,11 @@ ZR_INLINED struct zr_vec3_v zr_shade_v(const struct zr_linear_lighting *lighting
 
 /* Shades samples of a material with textures: applies the values at `at` to the surface first. */
 void ZR_KERNEL(zr_linear_light_textured)(const struct zr_linear_lighting *lighting, const struct zr_material *material,
+                                         const struct zr_gbuffer_textures *textures, size_t at,
+                                         const struct zr_shading_v *plain, struct zr_vec3_v *color);
+
+/* Likewise, of a material with a finish. textures: NULL if it has none. */
+void ZR_KERNEL(zr_linear_light_finished)(const struct zr_linear_lighting *lighting, const struct zr_material *material,
                                          const struct zr_gbuffer_textures *textures, size_t at,
                                          const struct zr_shading_v *plain, struct zr_vec3_v *color);
 

@@ -2,20 +2,51 @@
 #define ZR_LIGHTS_PLACED true
 #include "shade/models/lighting_simd.h"
 
-void ZR_KERNEL(zr_linear_light_textured)(const struct zr_linear_lighting *lighting, const struct zr_material *material,
-                                         const struct zr_gbuffer_textures *textures, size_t at,
-                                         const struct zr_shading_v *plain, struct zr_vec3_v *color)
+/* lighting_finished_kernel.c includes this file under another kernel name. */
+#ifndef ZR_TEXTURED_KERNEL
+#define ZR_TEXTURED_KERNEL ZR_KERNEL(zr_linear_light_textured)
+#endif
+
+/* Returns the factors of a material, times the texture values at `at`. textures: NULL if the material has none. */
+static inline struct zr_textured_v textured_of(const struct zr_material *material,
+                                               const struct zr_gbuffer_textures *textures, size_t at)
+{
+    const zr_vf one = zr_vf_set(1.0f), strength = zr_vf_set(material->occlusion_strength);
+    struct zr_textured_v out = {.roughness = zr_vf_set(material->roughness),
+                                .metallic = zr_vf_set(material->metallic),
+                                .occlusion = one,
+                                .emissive = {one, one, one}};
+    if (ZR_FINISHES) {
+        out.coat = zr_vf_set(material->finish.coat);
+        out.coat_roughness = zr_vf_set(material->finish.coat_roughness);
+    }
+    if (ZR_FINISHES && !textures) return out;
+    out.roughness = zr_vf_load(textures->roughness + at) * out.roughness;
+    out.metallic = zr_vf_load(textures->metallic + at) * out.metallic;
+    out.occlusion = one + strength * (zr_vf_load(textures->occlusion + at) - one);
+    out.emissive = zr_three_of(textures->emissive, at);
+    if (ZR_FINISHES && textures->coat) {
+        out.coat = zr_vf_load(textures->coat + at) * out.coat;
+        out.coat_roughness = zr_vf_load(textures->coat_roughness + at) * out.coat_roughness;
+    }
+    return out;
+}
+
+void ZR_TEXTURED_KERNEL(const struct zr_linear_lighting *lighting, const struct zr_material *material,
+                        const struct zr_gbuffer_textures *textures, size_t at, const struct zr_shading_v *plain,
+                        struct zr_vec3_v *color)
 {
     struct zr_light_cache cache = {.cool_of = NULL};
-    const zr_vf one = zr_vf_set(1.0f), strength = zr_vf_set(material->occlusion_strength);
-    const struct zr_textured_v textured = {
-        .roughness = zr_vf_load(textures->roughness + at) * zr_vf_set(material->roughness),
-        .metallic = zr_vf_load(textures->metallic + at) * zr_vf_set(material->metallic),
-        .occlusion = one + strength * (zr_vf_load(textures->occlusion + at) - one),
-        .emissive = zr_three_of(textures->emissive, at)};
+    struct zr_textured_v textured = textured_of(material, textures, at);
     struct zr_shading_v s = *plain;
-    s.base = zr_mul_v(plain->base, zr_three_of(textures->base, at));
-    s.normal = zr_three_of(textures->normal, at);
+    if (ZR_FINISHES) {
+        textured.surface_base = plain->base;
+        textured.surface_normal = plain->normal;
+    }
+    if (textures) {
+        s.base = zr_mul_v(plain->base, zr_three_of(textures->base, at));
+        s.normal = zr_three_of(textures->normal, at);
+    }
     s.textured = &textured;
     *color = zr_shade_v(lighting, material, &cache, &s);
 }

@@ -14,6 +14,11 @@
 #define ZR_LIGHTS_PLACED false
 #endif
 
+/* True in kernels of materials with a finish (scene.h). Its code would slow down others. */
+#ifndef ZR_FINISHES
+#define ZR_FINISHES false
+#endif
+
 struct zr_shading_v {
     struct zr_vec3_v base;   /* linear */
     struct zr_vec3_v normal; /* unit */
@@ -28,6 +33,9 @@ struct zr_textured_v {
     zr_vf roughness, metallic;
     zr_vf occlusion;           /* another share of ambient light, independent of the reflected colour */
     struct zr_vec3_v emissive; /* factor */
+    /* With ZR_FINISHES only. */
+    zr_vf coat, coat_roughness;
+    struct zr_vec3_v surface_base, surface_normal; /* without textures */
 };
 
 static inline struct zr_vec3_v zr_three_of(float *const from[3], size_t at)

@@ -15,6 +15,7 @@
 
 #include "base/inlined.h"
 #include "shade/lights/dfg.h"
+#include "shade/models/film_simd.h"
 #include "shade/models/linear_simd.h"
 
 /* The table at one roughness. Each column has A, B and their differences to the next column, so that a lane needs one
@@ -91,12 +92,37 @@ struct zr_pbr_v {
     zr_vf facing;                  /* N.V, above 0 */
     float alpha;                   /* of untextured surfaces */
     zr_vf alphas;                  /* of textured ones, per lane */
+    /* With ZR_FINISHES only: reflectance of the metal, and plastic_f0 per lane. */
+    struct zr_vec3_v metal_f0;
+    zr_vf finished_f0;
 };
 
 static inline float zr_largest_of(zr_vec3 v)
 {
     const float most = v.x > v.y ? v.x : v.y;
     return most > v.z ? most : v.z;
+}
+
+/* Puts the material's film on the surface, and takes the light that passes through from the diffuse part. */
+static inline void zr_pbr_finish(const struct zr_material *material, const struct zr_shading_v *s, struct zr_pbr_v *pbr)
+{
+    const struct zr_finish *finish = &material->finish;
+    struct zr_vec3_v plastic = zr_spread_v(material->reflectance);
+    pbr->metal_f0 = s->base;
+    if (finish->film > 0.0f) {
+        const struct zr_film_v film = zr_film_make(finish, pbr->facing);
+        plastic = zr_filmed3_v(&film, plastic);
+        pbr->metal_f0 = zr_filmed3_v(&film, s->base);
+        pbr->f0 = zr_mix3_v(plastic, pbr->metal_f0, pbr->metallic);
+    }
+    pbr->finished_f0 = zr_vf_max(plastic.x, zr_vf_max(plastic.y, plastic.z));
+    if (zr_material_is_glass(material)) pbr->diffuse = zr_scale_v(pbr->diffuse, zr_vf_set(1.0f - finish->transmission));
+}
+
+/* Returns plastic_f0 per lane. */
+static inline zr_vf zr_plastic_f0_v(const struct zr_pbr_v *pbr)
+{
+    return ZR_FINISHES ? pbr->finished_f0 : zr_vf_set(pbr->plastic_f0);
 }
 
 static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, const struct zr_shading_v *s)
@@ -114,6 +140,7 @@ static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, co
                            .plastic_f90 = material->grazing,
                            .alpha = material->roughness * material->roughness};
     if (s->textured) pbr.alphas = s->textured->roughness * s->textured->roughness;
+    if (ZR_FINISHES) zr_pbr_finish(material, s, &pbr);
     return pbr;
 }
 
@@ -148,14 +175,14 @@ static inline void zr_bounced_again_v(const struct zr_bounces_v bounces[4], zr_v
         out[i] = bounces[i].once * bounces[i].scattered * over[i];
 }
 
-/* Returns the reflected ambient light. `ambient`: E and L, both as they reach the surface. */
+/* Returns the reflected ambient light. base: F0 of the metal. `ambient`: E and L, both as they reach the surface. */
 static inline struct zr_vec3_v zr_pbr_ambient_v(const struct zr_pbr_v *pbr, struct zr_vec3_v base, zr_vf a, zr_vf b,
                                                 const struct zr_ambient_v *ambient)
 {
     const zr_vf one = zr_vf_set(1.0f), matte = one - pbr->metallic;
-    const struct zr_bounces_v bounces[4] = {
-        zr_bounces_of_v(base.x, one, a, b), zr_bounces_of_v(base.y, one, a, b), zr_bounces_of_v(base.z, one, a, b),
-        zr_bounces_of_v(zr_vf_set(pbr->plastic_f0), zr_vf_set(pbr->plastic_f90), a, b)};
+    const struct zr_bounces_v bounces[4] = {zr_bounces_of_v(base.x, one, a, b), zr_bounces_of_v(base.y, one, a, b),
+                                            zr_bounces_of_v(base.z, one, a, b),
+                                            zr_bounces_of_v(zr_plastic_f0_v(pbr), zr_vf_set(pbr->plastic_f90), a, b)};
     zr_vf again[4];
     zr_bounced_again_v(bounces, again);
     const zr_vf entering = one - bounces[3].once - again[3], of_plastic = matte * again[3];
@@ -228,7 +255,7 @@ ZR_INLINED struct zr_vec3_v zr_pbr_from_ambient_v(const struct zr_linear_lightin
     } else {
         zr_dfg_at_v(columns, pbr->facing, &a, &b);
     }
-    return zr_pbr_ambient_v(pbr, s->base, a, b, &ambient);
+    return zr_pbr_ambient_v(pbr, ZR_FINISHES ? pbr->metal_f0 : s->base, a, b, &ambient);
 }
 
 /* ---- lamps ---- */
@@ -276,7 +303,7 @@ static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 
                                     zr_vf_max(nl, zr_vf_set(1e-6f)));
     const zr_vf away = one - vh, square = away * away;
     const zr_vf fresnel = ZR_MUTANT(fresnel_of_4th_power, square * square * away, square * square);
-    const zr_vf entering = one - zr_schlick_v(zr_vf_set(pbr->plastic_f0), zr_vf_set(pbr->plastic_f90), fresnel);
+    const zr_vf entering = one - zr_schlick_v(zr_plastic_f0_v(pbr), zr_vf_set(pbr->plastic_f90), fresnel);
     const struct zr_vec3_v f = {zr_schlick_v(pbr->f0.x, pbr->f90, fresnel), zr_schlick_v(pbr->f0.y, pbr->f90, fresnel),
                                 zr_schlick_v(pbr->f0.z, pbr->f90, fresnel)};
     const struct zr_vec3_v reflected = zr_add_v(zr_scale_v(f, specular), zr_scale_v(pbr->diffuse, entering));

@@ -1,4 +1,4 @@
-/* xray.h - shade: opacity of surfaces with the shading xray.
+/* xray.h - shade: opacity of surfaces with the shading xray, and of glass (glass_simd.h).
  *
  * The opacity a of a layer depends on the cosine c between its normal and the direction to the eye. It rises towards
  * grazing angles:
@@ -14,7 +14,7 @@
 
 #include "shade/lights/lighting.h"
 
-/* Multiplies the opacities of samples with that shading; lines keep theirs. `opacity` is laid out like the samples. Up
+/* Multiplies the opacities of samples with that shading, and of glass; lines keep theirs. `opacity` is laid out like the samples. Up
  * to 15 values beyond each row's end may be read and written. A kernel. */
 typedef void zr_xray_fn(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples, float *opacity);
 

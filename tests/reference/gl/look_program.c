@@ -75,17 +75,18 @@ static const char *const declarations =
     "flat in vec4 step_x, step_y, step_w;\n"
     "#ifndef FIXED\n"
     "flat in float side;\n"
-    "uniform float has[5], second[5];\n" /* second: coordinates 1 instead of 0 */
+    "uniform float has[7], second[7];\n" /* second: coordinates 1 instead of 0 */
     "uniform float toe;\n"               /* less than 0: no tone mapping */
     "uniform float environment;\n"       /* the number of enum zr_environment_name */
     "uniform float lamp_count;\n"
     "uniform int shading;\n"
     "#endif\n"
-    "uniform sampler2D base_map, roughness_map, normal_map, occlusion_map, emissive_map;\n"
-    "uniform vec3 rows[10];\n"
+    "uniform sampler2D base_map, roughness_map, normal_map, occlusion_map, emissive_map, coat_map, "
+    "coat_roughness_map;\n"
+    "uniform vec3 rows[14];\n"
     "uniform float normal_scale, occlusion_strength;\n"
     "float rough, metal, open;\n"
-    "vec3 glow;\n"
+    "vec3 glow, of_plastic, of_metal;\n"
     "uniform vec4 viewer;\n"
     "uniform vec3 ambient;\n"
     "uniform float exposure, intensity;\n"
@@ -101,6 +102,10 @@ static const char *const declarations =
     "uniform vec3 specular, emissive, cool;\n"
     "uniform float shininess, metallic, roughness, grazing;\n"
     "uniform vec3 reflectance;\n"
+    "uniform vec2 coat;\n"         /* factor, roughness */
+    "uniform vec4 sheen;\n"        /* colour, roughness */
+    "uniform vec3 film;\n"         /* factor, index of refraction, nanometres */
+    "uniform float fibres[256];\n" /* rows of 16 columns */
     "vec3 decode(vec3 c)\n"
     "{\n"
     "    vec3 curve = pow((c + 0.055) / 1.055, vec3(2.4)), line = c / 12.92;\n"
@@ -258,6 +263,36 @@ static const char *const radiances =
     "    return vec3(dot(to_environment[0], v), dot(to_environment[1], v), dot(to_environment[2], v));\n"
     "}\n";
 
+/* KHR_materials_iridescence, with the numbers of its source. */
+static const char *const films =
+    "vec3 waves(float nm, vec3 turn)\n"
+    "{\n"
+    "    const float pi = 3.14159265358979;\n"
+    "    float phase = 2.0 * pi * nm * 1e-9;\n"
+    "    vec3 size = vec3(5.4856e-13, 4.4201e-13, 5.2481e-13), at = vec3(1.6810e+06, 1.7953e+06, 2.2084e+06);\n"
+    "    vec3 spread = vec3(4.3278e+09, 9.3046e+09, 6.6121e+09);\n"
+    "    vec3 xyz = size * sqrt(2.0 * pi * spread) * cos(at * phase) * exp(-phase * phase * spread);\n"
+    "    xyz.x += 9.7470e-14 * sqrt(2.0 * pi * 4.5282e+09) * cos(2.2399e+06 * phase) *\n"
+    "             exp(-4.5282e+09 * phase * phase);\n"
+    "    xyz /= 1.0685e-7;\n"
+    "    return turn * vec3(dot(xyz, vec3(3.2404542, -1.5371385, -0.4985314)),\n"
+    "                       dot(xyz, vec3(-0.9692660, 1.8760108, 0.0415560)),\n"
+    "                       dot(xyz, vec3(0.0556434, -0.2040259, 1.0572252)));\n"
+    "}\n"
+    "vec3 filmed(vec3 f0, float nv)\n"
+    "{\n"
+    "    if (film.x == 0.0) return f0;\n"
+    "    float ior = film.y, c = sqrt(max(1.0 - (1.0 - nv * nv) / (ior * ior), 0.0)), five = pow(1.0 - nv, 5.0);\n"
+    "    float up = mix(pow((ior - 1.0) / (ior + 1.0), 2.0), 1.0, five), nm = 2.0 * ior * film.z * c;\n"
+    "    vec3 s = sqrt(clamp(f0, 0.0, 0.9999)), below = (1.0 + s) / (1.0 - s);\n"
+    "    vec3 low = mix(pow((below - ior) / (below + ior), vec3(2.0)), vec3(1.0), pow(1.0 - c, 5.0));\n"
+    "    vec3 both = clamp(up * low, 1e-5, 0.9999), once = (1.0 - up) * (1.0 - up) * low / (1.0 - both);\n"
+    "    vec3 turn = vec3(below.x < ior ? 1.0 : -1.0, below.y < ior ? 1.0 : -1.0, below.z < ior ? 1.0 : -1.0);\n"
+    "    vec3 sum = up + once + 2.0 * (once - (1.0 - up)) *\n"
+    "               (sqrt(both) * waves(nm, turn) + both * waves(2.0 * nm, vec3(1.0)));\n"
+    "    return mix(f0, clamp((clamp(sum, 0.0, 1.0) - five) / max(1.0 - five, 1e-4), 0.0, 1.0), film.x);\n"
+    "}\n";
+
 /* glTF 2.0, appendix B, of lamps whose irradiance is pi times their colour; and the split sum with what is reflected
  * more than once. */
 static const char *const pbr =
@@ -290,13 +325,15 @@ static const char *const pbr =
     "    float s = dot(sine, sine) + nh * nh * a2, D = nh > 0.0 ? a2 / (pi * s * s) : 0.0;\n"
     "    float V = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));\n"
     "    float once = pow(1.0 - vh, 5.0);\n"
-    "    vec3 of_plastic = mix(reflectance, vec3(grazing), once), of_metal = mix(own, vec3(1.0), once);\n"
-    "    vec3 plastic = (1.0 - mix(largest(reflectance), grazing, once)) * own / pi + of_plastic * D * V;\n"
-    "    return pi * lamp_light(i) * mix(plastic, of_metal * D * V, metal) * nl;\n"
+    "    vec3 F_plastic = mix(of_plastic, vec3(grazing), once), F_metal = mix(of_metal, vec3(1.0), once);\n"
+    "    vec3 plastic = (1.0 - mix(largest(of_plastic), grazing, once)) * own / pi + F_plastic * D * V;\n"
+    "    return pi * lamp_light(i) * mix(plastic, F_metal * D * V, metal) * nl;\n"
     "}\n"
     "vec3 pbr_of(vec3 n, vec3 v, vec3 own)\n"
     "{\n"
     "    float nv = clamp(dot(n, v), 1e-4, 1.0);\n"
+    "    of_plastic = filmed(reflectance, nv);\n"
+    "    of_metal = filmed(own, nv);\n"
     "    vec3 r = reflect(-v, n), E = ambient, L = ambient, lamps = emissive * glow;\n"
     "    if (environment > 0.0) {\n"
     "        float k = environment == 1.0 ? 0.4 : environment == 2.0 ? 0.5 : 0.0;\n"
@@ -316,11 +353,65 @@ static const char *const pbr =
     "    E *= open;\n"
     "    L *= open;\n"
     "    vec2 AB = split_at(nv);\n"
-    "    vec3 metallic_color = (own * AB.x + AB.y) * L + several(own, 1.0, AB) * E;\n"
-    "    float p = largest(reflectance), more = several(vec3(p), grazing, AB).r;\n"
-    "    vec3 plastic = (reflectance * AB.x + grazing * AB.y) * L +\n"
+    "    vec3 metallic_color = (of_metal * AB.x + AB.y) * L + several(of_metal, 1.0, AB) * E;\n"
+    "    float p = largest(of_plastic), more = several(vec3(p), grazing, AB).r;\n"
+    "    vec3 plastic = (of_plastic * AB.x + grazing * AB.y) * L +\n"
     "                   (more + own * (1.0 - (p * AB.x + grazing * AB.y) - more)) * E;\n"
     "    return mix(plastic, metallic_color, metal) + lamps;\n"
+    "}\n";
+
+static const char *const finishes =
+    /* Without its Fresnel term. */
+    "vec3 lobe_at(int i, vec3 n, vec3 v, float nv, float r)\n"
+    "{\n"
+    "    float alpha = max(r * r, 0.06), a2 = alpha * alpha;\n"
+    "    vec3 l = lamp_way(i), h = normalize(l + v), sine = cross(n, h);\n"
+    "    float nl = dot(n, l), nh = clamp(dot(n, h), 0.0, 1.0), s = dot(sine, sine) + nh * nh * a2;\n"
+    "    if (nl <= 0.0 || nh <= 0.0) return vec3(0.0);\n"
+    "    float V = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));\n"
+    "    return lamp_light(i) * (a2 / (s * s) * V * nl);\n"
+    "}\n"
+    /* KHR_materials_sheen. */
+    "vec3 fibrous(vec3 n, vec3 v, vec3 below)\n"
+    "{\n"
+    "    const float pi = 3.14159265358979;\n"
+    "    float nv = clamp(dot(n, v), 1e-4, 1.0), row = sheen.w * 15.0, column = sqrt(nv) * 15.0;\n"
+    "    int i = int(min(floor(row), 14.0)), j = int(min(floor(column), 14.0)), at = 16 * i + j;\n"
+    "    float y = row - float(i), x = column - float(j), alpha = pow(max(sheen.w, 0.07), 2.0);\n"
+    "    float T = mix(mix(fibres[at], fibres[at + 1], x), mix(fibres[at + 16], fibres[at + 17], x), y);\n"
+    "    float k = environment == 1.0 ? 0.4 : environment == 2.0 ? 0.5 : 0.0;\n"
+    "    vec3 E = ambient, lamps = vec3(0.0), q = (way - middle.xyz) / middle.w;\n"
+    "    if (environment > 0.0) E += intensity * diffuse_light(turned(normalize(n + 0.5 * k * q)));\n"
+    "    for (int i = 0; i < int(lamp_count); i++) {\n"
+    "        if (lamp_kind[i].y == 0.0) continue;\n"
+    "        if (lamp_kind[i].x != 0.0) {\n"
+    "            E += hemisphere(i, n);\n"
+    "            continue;\n"
+    "        }\n"
+    "        vec3 l = lamp_way(i), sine = cross(n, normalize(l + v));\n"
+    "        float nl = clamp(dot(n, l), 0.0, 1.0), s = min(length(sine), 1.0);\n"
+    "        float D = s > 0.0 ? (2.0 + 1.0 / alpha) * pow(s, 1.0 / alpha) / (2.0 * pi) : 0.0;\n"
+    "        lamps += pi * lamp_light(i) * D * nl / (4.0 * (nl + nv - nl * nv));\n"
+    "    }\n"
+    "    return sheen.rgb * (T * open * E + lamps) + (1.0 - largest(sheen.rgb) * T) * below;\n"
+    "}\n"
+    /* KHR_materials_clearcoat; n: without the normal map. */
+    "vec3 coated(vec3 n, vec3 v, vec3 below)\n"
+    "{\n"
+    "    float nv = clamp(dot(n, v), 1e-4, 1.0), r = coat.y * texel(coat_roughness_map, 6).g;\n"
+    "    vec3 d = reflect(-v, n), around = ambient, lamps = vec3(0.0);\n"
+    "    float k = environment == 1.0 ? 0.4 : environment == 2.0 ? 0.5 : 0.0;\n"
+    "    vec3 q = (way - middle.xyz) / middle.w;\n"
+    "    if (environment > 0.0) around += intensity * mirrored_light(turned(normalize(d + k * q)), r * r);\n"
+    "    for (int i = 0; i < int(lamp_count); i++) {\n"
+    "        if (lamp_kind[i].y == 0.0) continue;\n"
+    "        if (lamp_kind[i].x != 0.0)\n"
+    "            around += hemisphere(i, d);\n"
+    "        else\n"
+    "            lamps += lobe_at(i, n, v, nv, r);\n"
+    "    }\n"
+    "    float share = coat.x * texel(coat_map, 5).r * mix(0.04, 1.0, pow(1.0 - nv, 5.0));\n"
+    "    return mix(below, around * open + lamps, share);\n"
     "}\n";
 
 /* Numbers of shadings are those of enum zr_shading. */
@@ -348,18 +439,19 @@ static const char *const surfaces =
     "    float facing = 0.5 + 0.5 * dot(n, normalize(vec3(-0.45, 0.65, 0.61)));\n"
     "    return mix(decode(cool) * own, own, pow(clamp(facing, 0.0, 1.0), 1.5)) * (gooch.x + gooch.y * open);\n"
     "}\n"
-    "vec3 color_of(vec3 n, vec3 v, vec3 own)\n"
+    "vec3 color_of(vec3 n, vec3 smooth_n, vec3 v, vec3 own)\n"
     "{\n"
     "    if (side == 3.0 || shading == 0 || shading == 7) return own;\n"
     "    if (shading == 4) return decode(n * 0.5 + 0.5);\n"
-    "    if (shading == 5) return mapped(pbr_of(n, v, own));\n"
+    "    if (shading == 5) return mapped(coated(smooth_n, v, fibrous(n, v, pbr_of(n, v, own))));\n"
     "    if (shading == 6) return gooch_of(n, own);\n"
     "    return mapped(classic_of(n, v, own));\n"
     "}\n"
     "void main()\n"
     "{\n"
     "    bool back = side == 0.0 ? !gl_FrontFacing : side == 2.0;\n"
-    "    vec3 n = normal / max(length(normal), 1e-30), v = viewer.w == 0.0 ? viewer.xyz : -normalize(way);\n"
+    "    vec3 n = normal / max(length(normal), 1e-30), smooth_n = back ? -n : n, v = viewer.w == 0.0 ? viewer.xyz : "
+    "-normalize(way);\n"
     "    vec3 own = decode(clamp(base, 0.0, 1.0)), gloss = texel(roughness_map, 1);\n"
     "    rough = roughness * gloss.g;\n"
     "    metal = metallic * gloss.b;\n"
@@ -374,14 +466,14 @@ static const char *const surfaces =
     "        film = 0.11 + 0.56 * pow(1.0 - min(abs(dot(normal, v)) / length(normal), 1.0), 2.0);\n"
     "        film *= 1.0 - 0.5 * (dot(n, v) < 0.0 ? -n.x : n.x);\n"
     "    }\n"
-    "    gl_FragColor = vec4(color_of(back ? -n : n, v, own), film);\n"
+    "    gl_FragColor = vec4(color_of(back ? -n : n, smooth_n, v, own), film);\n"
     "}\n";
 
 static unsigned make(const char *of_vertices, const char *fixed, struct reference_error *error)
 {
     static char fragment[1 << 15];
-    snprintf(fragment, sizeof fragment, "%s%s%s%s%s%s%s%s%s", version, fixed, declarations, textures, tone,
-             environments, radiances, pbr, surfaces);
+    snprintf(fragment, sizeof fragment, "%s%s%s%s%s%s%s%s%s%s%s", version, fixed, declarations, textures, tone,
+             environments, radiances, films, pbr, finishes, surfaces);
     return reference_program(of_vertices, fragment, error);
 }
 

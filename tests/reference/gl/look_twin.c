@@ -8,6 +8,7 @@
 #include "reference/gl/look_texture.h"
 #include "scene/picture.h"
 #include "shade/lights/dfg.h"
+#include "shade/lights/sheen.h"
 
 typedef double vec3[3];
 
@@ -36,6 +37,7 @@ const char *look_twin_lacks(const struct zr_scene *scene)
     if (picture->has_ground) return "the ground's shadow";
     if (picture->edges.is_on) return "edges";
     if (zr_any_is_see_through(scene->materials, scene->material_count)) return "what is see-through";
+    if (zr_any_is_glass(scene->materials, scene->material_count)) return "glass";
     if (zr_any_is_xray(scene->materials, scene->material_count) && !is_of_one_ink(scene))
         return "x-rays beside other colours";
     for (uint32_t i = 0; i < scene->light_count; i++)
@@ -121,6 +123,7 @@ struct uniforms {
     float lamp_place[LOOK_LAMPS_MAX][4], lamp_spot[LOOK_LAMPS_MAX][4], lamp_end[LOOK_LAMPS_MAX][2];
     zr_vec3 lamp_color[LOOK_LAMPS_MAX], lamp_ground[LOOK_LAMPS_MAX], lamp_kind[LOOK_LAMPS_MAX];
     float split[ZR_DFG_SIDE * ZR_DFG_SIDE][2];
+    float fibres[ZR_SHEEN_SIDE * ZR_SHEEN_SIDE];
 };
 
 /* Counted from the eye, in the units of the eye's space. */
@@ -217,6 +220,7 @@ static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
     for (int i = 0; i < ZR_DFG_SIDE * ZR_DFG_SIDE; i++)
         for (int k = 0; k < 2; k++)
             u->split[i][k] = zr_dfg_table[i / ZR_DFG_SIDE][k][i % ZR_DFG_SIDE];
+    memcpy(u->fibres, zr_sheen_table, sizeof u->fibres);
     const struct zr_gooch *gooch = &scene->picture->gooch;
     u->middle = middle_of(twin);
     u->gooch[0] = gooch->least;
@@ -246,6 +250,7 @@ const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin)
         {"lamp_spot", 4, LOOK_LAMPS_MAX, u.lamp_spot[0]},
         {"lamp_end", 2, LOOK_LAMPS_MAX, u.lamp_end[0]},
         {"split", 2, ZR_DFG_SIDE * ZR_DFG_SIDE, u.split[0]},
+        {"fibres", 1, ZR_SHEEN_SIDE * ZR_SHEEN_SIDE, u.fibres},
     };
     set_uniforms(twin, &u);
     return uniforms;

@@ -49,7 +49,7 @@ struct look_twin {
 bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error);
 
 /* All that it has as uniforms of the whole picture. They stand until the next call. */
-enum { LOOK_UNIFORMS = 18 };
+enum { LOOK_UNIFORMS = 19 };
 const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin);
 enum { LOOK_LAMPS_MAX = 64 };
 

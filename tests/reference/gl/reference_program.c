@@ -43,6 +43,9 @@ static void set_material(GLuint program, const struct zr_material *material)
     glUniform1f(glGetUniformLocation(program, "roughness"), material->roughness);
     glUniform1f(glGetUniformLocation(program, "grazing"), material->grazing);
     glUniform3fv(glGetUniformLocation(program, "reflectance"), 1, &material->reflectance.x);
+    glUniform2fv(glGetUniformLocation(program, "coat"), 1, &material->finish.coat);
+    glUniform4fv(glGetUniformLocation(program, "sheen"), 1, &material->finish.sheen.x);
+    glUniform3fv(glGetUniformLocation(program, "film"), 1, &material->finish.film);
     glUniform3fv(glGetUniformLocation(program, "specular"), 1, &material->specular.x);
     glUniform3fv(glGetUniformLocation(program, "emissive"), 1, &material->emissive.x);
     glUniform3fv(glGetUniformLocation(program, "cool"), 1, &material->cool.x);
@@ -51,7 +54,8 @@ static void set_material(GLuint program, const struct zr_material *material)
 /* Of textures that the material has; units have the numbers of slots. */
 static void set_textures(GLuint program, const struct zr_material *material, const struct zr_scene *scene)
 {
-    static const char *const names[] = {"base_map", "roughness_map", "normal_map", "occlusion_map", "emissive_map"};
+    static const char *const names[] = {"base_map",     "roughness_map", "normal_map",        "occlusion_map",
+                                        "emissive_map", "coat_map",      "coat_roughness_map"};
     float has[ZR_TEXTURE_SLOTS] = {0}, second[ZR_TEXTURE_SLOTS] = {0}, rows[2 * ZR_TEXTURE_SLOTS][3] = {{0}};
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++) {
         glUniform1i(glGetUniformLocation(program, names[slot]), slot);

@@ -1,0 +1,174 @@
+/* Reads the extensions of glTF that set finishes of surfaces (struct zr_finish). */
+#include <float.h>
+
+#include "input/gltf/gltf_extensions.h"
+
+#define NUMBER(name, at)                                                                                               \
+    {                                                                                                                  \
+        .key = (name), .read = zr_json_number, .offset = (at), .low = -DBL_MAX, .high = DBL_MAX                        \
+    }
+#define TEXT(name, at)                                                                                                 \
+    {                                                                                                                  \
+        .key = (name), .read = zr_json_value_start, .offset = (at)                                                     \
+    }
+
+static float clamp_key(struct zr_gltf *file, const struct zr_json_path *path, const char *key, double value)
+{
+    return (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, key), value, 0.0, 1.0);
+}
+
+/* Reads a texture of the extension at `path`. text: NULL if the file gives none. */
+static void read_texture(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
+                         enum zr_texture_slot slot, struct zr_parsed_material *out)
+{
+    if (text) zr_gltf_read_texture(file, text, ZR_JSON_KEY(path, zr_texture_keys[slot]), slot, &out->textures[slot]);
+}
+
+static void note_undrawn(struct zr_gltf *file, const struct zr_json_path *path, const char *text, const char *key)
+{
+    if (text) zr_gltf_note(&file->undrawn_textures, ZR_JSON_KEY(path, key));
+}
+
+/* ---- KHR_materials_clearcoat ---- */
+
+struct given_coat {
+    double factor, roughness;
+    const char *texture, *roughness_texture, *normal_texture; /* JSON text */
+};
+#define AT(member) offsetof(struct given_coat, member)
+static const struct zr_json_field coat_fields[] = {NUMBER("clearcoatFactor", AT(factor)),
+                                                   NUMBER("clearcoatRoughnessFactor", AT(roughness)),
+                                                   TEXT("clearcoatTexture", AT(texture)),
+                                                   TEXT("clearcoatRoughnessTexture", AT(roughness_texture)),
+                                                   TEXT("clearcoatNormalTexture", AT(normal_texture)),
+                                                   ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object coat_object = ZR_JSON_OBJECT_OF("KHR_materials_clearcoat", coat_fields);
+
+static void read_coat(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
+                      struct zr_parsed_material *out)
+{
+    struct given_coat given = {0, 0, NULL, NULL, NULL};
+    zr_gltf_fields_at(file, text, path, &coat_object, &given);
+    out->finish.coat = clamp_key(file, path, "clearcoatFactor", given.factor);
+    out->finish.coat_roughness = clamp_key(file, path, "clearcoatRoughnessFactor", given.roughness);
+    out->keys |= UINT64_C(1) << ZR_MATERIAL_COAT | UINT64_C(1) << ZR_MATERIAL_COAT_ROUGHNESS;
+    if (out->finish.coat == 0.0f) return;
+    read_texture(file, path, given.texture, ZR_TEXTURE_COAT, out);
+    if (out->finish.coat_roughness > 0.0f)
+        read_texture(file, path, given.roughness_texture, ZR_TEXTURE_COAT_ROUGHNESS, out);
+    note_undrawn(file, path, given.normal_texture, "clearcoatNormalTexture");
+}
+
+/* ---- KHR_materials_sheen ---- */
+
+struct given_sheen {
+    double color[3], roughness;
+    const char *color_texture, *roughness_texture; /* JSON text */
+};
+#define AT(member) offsetof(struct given_sheen, member)
+static const struct zr_json_field sheen_fields[] = {
+    {.key = "sheenColorFactor", .read = zr_gltf_three, .offset = AT(color)},
+    NUMBER("sheenRoughnessFactor", AT(roughness)),
+    TEXT("sheenColorTexture", AT(color_texture)),
+    TEXT("sheenRoughnessTexture", AT(roughness_texture)),
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object sheen_object = ZR_JSON_OBJECT_OF("KHR_materials_sheen", sheen_fields);
+
+static void read_sheen(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
+                       struct zr_parsed_material *out)
+{
+    struct given_sheen given = {{0, 0, 0}, 0, NULL, NULL};
+    zr_gltf_fields_at(file, text, path, &sheen_object, &given);
+    out->finish.sheen = (zr_vec3){clamp_key(file, path, "sheenColorFactor", given.color[0]),
+                                  clamp_key(file, path, "sheenColorFactor", given.color[1]),
+                                  clamp_key(file, path, "sheenColorFactor", given.color[2])};
+    out->finish.sheen_roughness = clamp_key(file, path, "sheenRoughnessFactor", given.roughness);
+    out->keys |= UINT64_C(1) << ZR_MATERIAL_SHEEN | UINT64_C(1) << ZR_MATERIAL_SHEEN_ROUGHNESS;
+    if (!zr_finish_has_sheen(&out->finish)) return;
+    note_undrawn(file, path, given.color_texture, "sheenColorTexture");
+    note_undrawn(file, path, given.roughness_texture, "sheenRoughnessTexture");
+}
+
+/* ---- KHR_materials_iridescence ---- */
+
+struct given_film {
+    double factor, ior, thinnest, thickest;
+    const char *texture, *thickness_texture; /* JSON text */
+};
+#define AT(member) offsetof(struct given_film, member)
+static const struct zr_json_field film_fields[] = {NUMBER("iridescenceFactor", AT(factor)),
+                                                   NUMBER("iridescenceIor", AT(ior)),
+                                                   NUMBER("iridescenceThicknessMinimum", AT(thinnest)),
+                                                   NUMBER("iridescenceThicknessMaximum", AT(thickest)),
+                                                   TEXT("iridescenceTexture", AT(texture)),
+                                                   TEXT("iridescenceThicknessTexture", AT(thickness_texture)),
+                                                   ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object film_object = ZR_JSON_OBJECT_OF("KHR_materials_iridescence", film_fields);
+
+#define FILM_IOR_MAX 100.0
+
+/* Without its texture, a film has the greatest thickness. */
+static void read_film(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
+                      struct zr_parsed_material *out)
+{
+    struct given_film given = {0, 1.3, 100, 400, NULL, NULL};
+    zr_gltf_fields_at(file, text, path, &film_object, &given);
+    out->finish.film = clamp_key(file, path, "iridescenceFactor", given.factor);
+    out->finish.film_ior =
+        (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "iridescenceIor"), given.ior, 1.0, FILM_IOR_MAX);
+    out->finish.film_nm = (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "iridescenceThicknessMaximum"), given.thickest,
+                                               0.0, ZR_FILM_NM_MAX);
+    out->keys |= UINT64_C(1) << ZR_MATERIAL_FILM | UINT64_C(1) << ZR_MATERIAL_FILM_IOR |
+                 UINT64_C(1) << ZR_MATERIAL_FILM_THICKNESS;
+    if (out->finish.film == 0.0f) return;
+    note_undrawn(file, path, given.texture, "iridescenceTexture");
+    note_undrawn(file, path, given.thickness_texture, "iridescenceThicknessTexture");
+}
+
+/* ---- KHR_materials_transmission ---- */
+
+struct given_transmission {
+    double factor;
+    const char *texture; /* JSON text */
+};
+#define AT(member) offsetof(struct given_transmission, member)
+static const struct zr_json_field transmission_fields[] = {NUMBER("transmissionFactor", AT(factor)),
+                                                           TEXT("transmissionTexture", AT(texture)), ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object transmission_object =
+    ZR_JSON_OBJECT_OF("KHR_materials_transmission", transmission_fields);
+
+static void read_transmission(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
+                              struct zr_parsed_material *out)
+{
+    struct given_transmission given = {0, NULL};
+    zr_gltf_fields_at(file, text, path, &transmission_object, &given);
+    out->finish.transmission = clamp_key(file, path, "transmissionFactor", given.factor);
+    out->keys |= UINT64_C(1) << ZR_MATERIAL_TRANSMISSION;
+    if (out->finish.transmission == 0.0f) return;
+    zr_gltf_note(&file->thin_glass, path);
+    note_undrawn(file, path, given.texture, "transmissionTexture");
+}
+
+/* ---- all ---- */
+
+typedef void read_fn(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
+                     struct zr_parsed_material *out);
+
+static const struct {
+    const struct zr_json_object *object;
+    read_fn *read;
+} finishes[ZR_GLTF_FINISHES] = {[ZR_GLTF_COAT] = {&coat_object, read_coat},
+                                [ZR_GLTF_SHEEN] = {&sheen_object, read_sheen},
+                                [ZR_GLTF_FILM] = {&film_object, read_film},
+                                [ZR_GLTF_TRANSMISSION] = {&transmission_object, read_transmission}};
+
+void zr_gltf_read_finish(struct zr_gltf *file, const struct zr_json_path *path, const char *const texts[],
+                         struct zr_parsed_material *out)
+{
+    for (int i = 0; i < ZR_GLTF_FINISHES; i++)
+        if (texts[i]) finishes[i].read(file, ZR_JSON_KEY(path, finishes[i].object->name), texts[i], out);
+}
