@@ -13,6 +13,9 @@ enum {
 #define LEAST_COSINE    ZR_MUTANT(joins_to_20_degrees, 0.99452190f, 0.93969262f)
 #define COLOR_TOLERANCE (1.0f / 64.0f)
 
+/* Pixels between a point and the plane of a surface: 1.5 samples, at which samples become a silhouette (edges.h). */
+#define MOST_AWAY 0.375f
+
 /* ---- primitives of a pixel ---- */
 
 /* Sample i of a pixel, of its column i % SIDE and row i / SIDE, is bit i of a mask. Returns those of an owner. */
@@ -103,7 +106,7 @@ static inline zr_vm are_beside(const struct zr_surface_rule *rule, const struct 
     const zr_vf away = zr_vf_min(zr_vf_abs(zr_dot_v(between, a->normal)), zr_vf_abs(zr_dot_v(between, b->normal)));
     const zr_vf depth = zr_vf_max(depth_of(&rule->scale, a->point), depth_of(&rule->scale, b->point));
     const zr_vm is_straight = zr_vf_le(zr_vf_set(LEAST_COSINE), zr_dot_v(a->normal, b->normal));
-    return zr_vm_and(is_straight, zr_vf_le(away, depth * zr_vf_set(0.5f / rule->scale.scale)));
+    return zr_vm_and(is_straight, zr_vf_le(away, depth * zr_vf_set(MOST_AWAY / rule->scale.scale)));
 }
 
 static inline zr_vf load(const float *plane, zr_vi at)

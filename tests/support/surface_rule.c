@@ -4,7 +4,7 @@
 
 enum { SIDE = SURFACE_SIDE, SAMPLES = SURFACE_SAMPLES };
 
-static const double degrees_max = 6.0, pixels_max = 0.5, color_max = 1.0 / 64.0;
+static const double degrees_max = 6.0, pixels_max = 0.375, color_max = 1.0 / 64.0;
 /* So far from its limits rounding of floats decides nothing: in cosines, pixels and colours. */
 static const double cosine_slack = 2e-6, pixels_slack = 1e-3, color_slack = 1e-6;
 

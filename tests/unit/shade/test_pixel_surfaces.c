@@ -167,8 +167,8 @@ static const struct pair {
     uint32_t material;
     bool is_joined;
 } pairs[] = {{"one plane", 0, 0, 0, 0, true},
-             {"a step of less than half a pixel", 0.49, 0, 0, 0, true},
-             {"a step of more than half a pixel", 0.51, 0, 0, 0, false},
+             {"a step of less than 1.5 samples", 0.365, 0, 0, 0, true},
+             {"a step of more than 1.5 samples", 0.385, 0, 0, 0, false},
              {"5.9 degrees", 0, 5.9, 0, 0, true},
              {"6.1 degrees", 0, 6.1, 0, 0, false},
              {"colours 1/65 apart", 0, 0, 1.0 / 65.0, 0, true},
