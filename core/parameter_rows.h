@@ -63,6 +63,8 @@
     ROW(frames, "/query/frames", MESH, WHOLE, "several views: their number, of the animation from this time on")       \
     ROW(timeEnd, "/query/timeEnd", MESH, SECONDS, "time at which the frames end (default: that of the animation)")     \
     ROW(fileLights, "/query/fileLights", MESH, BOOL, "lights of a glTF file instead of the look's (default: false)")   \
+    ROW(materials, "/query/materials", MESH, NAME,                                                                     \
+        "materials of the file in looks that are a material: look replaces them, keep keeps them (default: look)")     \
     ROW(projection, "/query/projection", MESH, NAME,                                                                   \
         "kind of camera: orthographic or perspective (default: the look's)")                                           \
     ROW(shading, "/shading", MESH, NAME, "model of reflection: " ZR_SHADING_LIST "or the look's (default)")            \

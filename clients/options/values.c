@@ -163,6 +163,19 @@ static bool refers(const cJSON *all, const cJSON *schema, const char *name, int 
     return false;
 }
 
+/* True if the values of a key are lists, or lists and words. */
+static bool is_list(const cJSON *schema)
+{
+    const cJSON *item;
+    bool found = strcmp(values_text(schema, "type"), "array") == 0;
+    cJSON_ArrayForEach(item, values_member(schema, "anyOf"))
+    {
+        if (values_member(item, "$ref")) return false;
+        found |= strcmp(values_text(item, "type"), "array") == 0;
+    }
+    return found;
+}
+
 /* Writes the path to an object: "/view/fit", "/lights/N". */
 static bool write_path(const cJSON *all, const char *name, int depth, char path[VALUES_PATH_SIZE])
 {
@@ -179,8 +192,7 @@ static bool write_path(const cJSON *all, const char *name, int depth, char path[
             if (!refers(all, key, name, DEPTH_MAX) || !write_path(all, object->string, depth - 1, path)) continue;
             const size_t used = strlen(path);
             const cJSON *to = values_follow(all, key);
-            const bool is_list = strcmp(values_text(to ? to : key, "type"), "array") == 0;
-            snprintf(path + used, VALUES_PATH_SIZE - used, "/%s%s", key->string, is_list ? "/N" : "");
+            snprintf(path + used, VALUES_PATH_SIZE - used, "/%s%s", key->string, is_list(to ? to : key) ? "/N" : "");
             return true;
         }
     }

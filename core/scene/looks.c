@@ -117,7 +117,8 @@ static const struct zr_light outdoor_lights[] = {
              .azimuth_degrees = 35,                                                                                    \
              .elevation_degrees = 28,                                                                                  \
              .projection = ZR_PROJECTION_PERSPECTIVE,                                                                  \
-             .fov_radians = 0.52359878f, /* 30 degrees */                                                              \
+             .fov_radians = 0.52359878f,      /* 30 degrees */                                                         \
+             .wide_fov_radians = 0.88910519f, /* 2 atan(16/9 tan(15 degrees)) */                                       \
              .padding = (share)}
 #define ISOMETRIC                                                                                                      \
     .view = {.pose = ZR_POSE_PRESET,                                                                                   \
@@ -144,6 +145,7 @@ const struct zr_look zr_looks[] = {
      .picture = &(const struct zr_picture){LINEAR, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES_OF_MESH(INK), GOOCH},
      .background = OPAQUE(0xffffff),
      MATERIAL(ZR_SHADING_GOOCH, 0xfcfcfd, 0, 0.55f),
+     .is_material = true,
      .cloud = OPAQUE(0x7d90a6),
      LIGHTS(studio_lights),
      ISOMETRIC},
@@ -154,6 +156,7 @@ const struct zr_look zr_looks[] = {
                                            NO_EDGES},
      .background = OPAQUE(0xf7f4f0),
      MATERIAL(ZR_SHADING_PBR, 0xd3b9a2, 0, 0.9f),
+     .is_material = true,
      .wire = OPAQUE(0x7a6350),
      LIGHTS(studio_lights),
      FROM_ASIDE(0.05f)},
@@ -161,7 +164,7 @@ const struct zr_look zr_looks[] = {
      .version = 1,
      .text = "a light model in front of a dark gradient",
      .picture = &(const struct zr_picture){LINEAR, GOOCH, NEUTRAL(1), STUDIO, GRADIENT(0x3c444d, 0x191d22), GROUNDED,
-                                           EDGES(true, 0x14181d, 1, 0, 0.50f)},
+                                           EDGES(true, 0x7c8996, 1, 0.85f, 0.50f)},
      .background = OPAQUE(0x3c444d),
      MATERIAL(ZR_SHADING_PBR, 0xc9ced4, 0, 0.45f),
      LIGHTS(studio_lights),
@@ -173,6 +176,7 @@ const struct zr_look zr_looks[] = {
                                            EDGES(true, 0x2b3036, 1, 0.60f, 0.45f)},
      .background = OPAQUE(0xf4f6f8),
      MATERIAL(ZR_SHADING_PBR, 0xd4d6da, 1, 0.32f),
+     .is_material = true,
      LIGHTS(studio_lights),
      FROM_ASIDE(0.05f)},
     {.name = "outdoor",
@@ -192,6 +196,7 @@ const struct zr_look zr_looks[] = {
                                            .gooch = {0.2f, 0.8f}},
      .background = OPAQUE(0x1d4a86),
      MATERIAL_COOL(ZR_SHADING_GOOCH, 0x5086c8, 0, 0.55f, 0x4c6290),
+     .is_material = true,
      LIGHTS(studio_lights),
      ISOMETRIC},
     {.name = "xray",
@@ -201,6 +206,7 @@ const struct zr_look zr_looks[] = {
                                            NO_EDGES, GOOCH},
      .background = OPAQUE(0xffffff),
      MATERIAL(ZR_SHADING_XRAY, 0x2b6cb0, 0, 0.55f),
+     .is_material = true,
      LIGHTS(studio_lights),
      FROM_ASIDE(0.05f)},
     {.name = "textbook",
@@ -278,11 +284,14 @@ void zr_look_apply(const struct zr_look *look, struct zr_scene *scene)
     scene->lights = look->lights;
 }
 
-void zr_view_set_fov(struct zr_view *view, float radians)
+void zr_look_set_fov(const struct zr_look_view *from, struct zr_view *view)
 {
     const bool is_upright = view->width < view->height;
-    view->xfov_radians = is_upright ? radians : 0.0f;
-    view->yfov_radians = is_upright ? 0.0f : radians;
+    const uint64_t smaller = is_upright ? view->width : view->height, larger = is_upright ? view->height : view->width;
+    const bool is_wide = 9 * larger > 16 * smaller;
+    const float radians = is_wide ? from->wide_fov_radians : from->fov_radians;
+    view->xfov_radians = is_upright != is_wide ? radians : 0.0f;
+    view->yfov_radians = is_upright != is_wide ? 0.0f : radians;
 }
 
 void zr_look_set_view(const struct zr_look *look, struct zr_view *view)
@@ -296,5 +305,5 @@ void zr_look_set_view(const struct zr_look *look, struct zr_view *view)
     view->projection = from->projection;
     view->fit_padding = from->padding;
     view->suits_extent = from->pose == ZR_POSE_ORBIT;
-    zr_view_set_fov(view, from->fov_radians);
+    zr_look_set_fov(from, view);
 }

@@ -15,8 +15,9 @@ struct zr_look_view {
     enum zr_preset preset;
     double azimuth_degrees, elevation_degrees;
     enum zr_projection projection; /* ZR_PROJECTION_PERSPECTIVE or ZR_PROJECTION_ORTHOGRAPHIC */
-    float fov_radians;             /* perspective: full angle over the smaller side of the window */
-    float padding;                 /* share of the window left free on each side */
+    float fov_radians;             /* perspective: full angle over the smaller side of the window, */
+    float wide_fov_radians; /* or over the larger one, if that is more than 16/9 of the smaller: the same in 16:9 */
+    float padding;          /* share of the window left free on each side */
 };
 
 struct zr_look {
@@ -30,6 +31,7 @@ struct zr_look {
     struct zr_material material;
     zr_vec4 cloud;       /* base colour of bare clouds of points, in looks drawn with ink; 0: colour of the edges */
     zr_vec4 wire;        /* base colour of bare meshes of lines only, which no light makes darker; 0: as of faces */
+    bool is_material;    /* replaces the materials of model files */
     bool shades_by_mesh; /* gouraud for meshes with normals or vertex colours, else flat; false: material.shading */
 
     /* Lights of scenes without `lights`. ZR_LIT_CLASSIC ones replace the environment in shadings that do not use it. */
@@ -70,7 +72,7 @@ void zr_look_apply(const struct zr_look *look, struct zr_scene *scene);
 /* Sets pose, projection and padding from the look; y is up. Needs the view's width and height. */
 void zr_look_set_view(const struct zr_look *look, struct zr_view *view);
 
-/* Sets the full angle of view over the smaller side of the window. */
-void zr_view_set_fov(struct zr_view *view, float radians);
+/* Sets the look's angle of view. Needs the view's width and height. */
+void zr_look_set_fov(const struct zr_look_view *from, struct zr_view *view);
 
 #endif

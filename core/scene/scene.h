@@ -70,6 +70,7 @@ struct zr_material {
     bool is_hidden;     /* elements are not drawn and keep their ids; also unfilled, without an outline */
     enum zr_outline outline;
     zr_vec4 outline_color;
+    bool is_alpha_only;                  /* RGB of the texture ZR_TEXTURE_BASE_COLOR counts as 1 */
     uint32_t textures[ZR_TEXTURE_SLOTS]; /* 1 + number in the scene, or 0: none; on faces only */
     float normal_scale;                  /* ZR_TEXTURE_NORMAL: factor on x and y */
     float occlusion_strength;            /* ZR_TEXTURE_OCCLUSION, 0..1 */

@@ -182,6 +182,7 @@ static struct zr_material material_of(const struct cutting *c, const struct zr_m
     struct zr_material material =
         c->scene->materials[mesh->face_materials ? mesh->face_materials[face] : mesh->material];
     material.double_sided = true;
+    material.is_alpha_only = false;
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         material.textures[slot] = 0;
     if (c->scene->sections.has_hatch) material.textures[ZR_TEXTURE_BASE_COLOR] = zr_hatch_texture(c->scene);

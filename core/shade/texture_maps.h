@@ -50,11 +50,12 @@ struct zr_texture_maps_size {
 };
 struct zr_texture_maps_size zr_texture_maps_measure(const struct zr_scene *scene, bool decode);
 
-/* Returns the texture of a material's slot; NULL: none. */
+/* Returns the texture of a material's slot; NULL: none, or of a base colour its alpha alone. */
 static inline const struct zr_texture_map *
 zr_texture_map_of(const struct zr_texture_maps *maps, const struct zr_material *material, enum zr_texture_slot slot)
 {
     const uint32_t number = material->textures[slot];
+    if (slot == ZR_TEXTURE_BASE_COLOR && material->is_alpha_only) return NULL;
     return number && maps->of ? &maps->of[number - 1] : NULL;
 }
 

@@ -99,7 +99,8 @@ const struct mcp_key mcp_part_keys[] = {
     {"ghost", MCP_ALL_TOOLS, "{}", NULL},
     {"highlight", MCP_ALL_TOOLS, "{}", NULL},
     {"explode", MCP_ALL_TOOLS, "{}", NULL},
-    {"colors", MCP_ALL_TOOLS, "{\"type\":\"string\",\"enum\":[\"own\",\"parts\",\"materials\",\"x\",\"y\",\"z\"]}", NULL},
+    {"colors", MCP_ALL_TOOLS, "{\"type\":\"string\",\"enum\":[\"own\",\"parts\",\"materials\",\"x\",\"y\",\"z\"]}",
+     NULL},
     {NULL, 0, NULL, NULL}};
 
 const struct mcp_key mcp_arguments[] = {
@@ -127,6 +128,11 @@ const struct mcp_key mcp_arguments[] = {
      "all sides. threeView: front, top, right and isometric. views: those of the argument.\"}",
      NULL},
     {"look", MCP_DRAWING_TOOLS, STRING("$or NAME@VERSION, which pins its pixels. Default: studio."), put_looks},
+    {"materials", MCP_DRAWING_TOOLS,
+     "{\"type\":\"string\",\"enum\":[\"look\",\"keep\"],\"description\":\"Materials of the file in the looks "
+     "technical, "
+     "clay, metal, blueprint and xray: look, the default, replaces them, keep keeps them.\"}",
+     NULL},
     {"parts", MCP_DRAWING_TOOLS,
      "{\"type\":\"object\",\"properties\":{$},\"description\":\"hide, isolate, ghost and highlight take names, "
      "patterns such as 'bolt*' or ids of parts, one or a list. explode is a factor. colors 'parts' gives each part a "

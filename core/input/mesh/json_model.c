@@ -247,6 +247,7 @@ bool zr_model_make(struct zr_parsed_scene *root, const struct zr_json_path *path
         if (mesh->face_count > 0)
             zr_parsed_check_texcoords(root, path, style->material, mesh->texcoords != NULL, mesh->texcoords != NULL);
         if (root->json.error->count > 0) return true;
+        zr_model_scene_fit_colors(root, mesh);
         make_material(root, model->builder.file, i, style, own, mesh);
     }
     if (root->meshes.count == 1 && !root->nodes) root->scene->file.unit = from->file.unit; /* nothing scales it */

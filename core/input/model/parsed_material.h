@@ -73,6 +73,7 @@ struct zr_parsed_material {
     struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
     bool blends;           /* of a file: blended, unless an alphaMode applies */
+    bool is_alpha_only;    /* RGB of the texture of the base colour counts as 1 */
     bool has_linear_color; /* of a file that gives linear_color; base_color is its encoding as sRGB */
     zr_vec3 linear_color;
     bool is_used, is_masked, is_blended; /* used by a mesh; by one with the alphaMode MASK; by one with BLEND */

@@ -35,6 +35,7 @@ static void make_materials(struct zr_parsed_scene *root)
     for (uint32_t i = 0; i < root->scene->mesh_count; i++) {
         struct zr_mesh *mesh = &root->builder->meshes[i];
         const struct zr_style style = {.face_style = zr_face_style_unset, .is_open = true, .number = i};
+        zr_model_scene_fit_colors(root, mesh);
         mesh->material = zr_parsed_make_mesh_material(root, &style, mesh, mesh->normal_count > 0 || mesh->colors, true);
     }
 }
@@ -48,10 +49,10 @@ static void use_projection(const struct zr_query *query)
     view->projection = look->projection;
     if (query->projection != ZR_UNSET)
         view->projection = query->projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
-    zr_view_set_fov(view, 0.0f);
+    view->xfov_radians = view->yfov_radians = 0.0f;
     if (view->projection != ZR_PROJECTION_PERSPECTIVE) return;
     if (look->fov_radians > 0.0f)
-        zr_view_set_fov(view, look->fov_radians);
+        zr_look_set_fov(look, view);
     else
         view->yfov_radians = ZR_YFOV;
 }

@@ -133,6 +133,8 @@ static const struct zr_json_field query_fields[] = {
      .text = "kind of projection, with the look's angle of view"},
     {"animation", zr_json_string, AT(animation), .text = "animation of the file, by name or number"},
     {"fileLights", zr_json_bool, AT(has_file_lights), .text = "lights of the file instead of the look's"},
+    {"materials", zr_json_choice, AT(given.keeps_materials), .words = &zr_file_material_names,
+     .text = "materials of the file, in looks that are a material"},
     {"time", zr_json_number, AT(time), 0, TIME_MAX, .unit = "seconds", .text = "time of the animation"},
     {"frames", zr_json_whole, AT(frames), 1, 4096, .text = "number of views, from this time on"},
     {"timeEnd", zr_json_number, AT(time_end), 0, TIME_MAX, .unit = "seconds", .text = "time at which the frames end"}};

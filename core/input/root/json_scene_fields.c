@@ -45,8 +45,8 @@ const struct zr_json_field zr_scene_fields[] = {
                                  ZR_SCHEMA({"anyOf" : [ {"$ref" : "#/$defs/color"}, {"$ref" : "#/$defs/gradient"} ]})},
     [ZR_SCENE_VIEW] = {"view", zr_read_view, 0, .object = &zr_json_object_view, .otherwise = "the look's",
                        .text = "pose and projection of the camera: the name of a preset, or an object",
-                       .schema = ZR_SCHEMA({"anyOf" :
-                                                [ {"$ref" : "#/$defs/view/properties/preset"}, {"$ref" : "#/$defs/view"} ]})},
+                       .schema = ZR_SCHEMA(
+                           {"anyOf" : [ {"$ref" : "#/$defs/view/properties/preset"}, {"$ref" : "#/$defs/view"} ]})},
     [ZR_SCENE_UP] = {"up", zr_read_up, PICTURE(z_is_up), IN_PICTURE, .words = &zr_up_names, .otherwise = "y",
                      .text = "axis that points up, for views, environment and ground"},
     [ZR_SCENE_AMBIENT] = {"ambient", zr_read_light_color, AT(ambient),
@@ -66,9 +66,16 @@ const struct zr_json_field zr_scene_fields[] = {
                                       {"$ref" : "#/$defs/environment"}
                                   ]
                               })},
-    [ZR_SCENE_MATERIALS] = {"materials", zr_read_materials, 0, .object = &zr_json_object_material, .otherwise = "[]",
-                            .text = "materials that meshes and polygons refer to by name",
-                            .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/material"}})},
+    [ZR_SCENE_MATERIALS] = {"materials", zr_read_materials, 0, .object = &zr_json_object_material,
+                            .words = &zr_file_material_names, .otherwise = "[]",
+                            .text = "materials that meshes and polygons refer to by name; or keep: model files keep "
+                                    "theirs in looks that are a material",
+                            .schema = ZR_SCHEMA({
+                                "anyOf" : [
+                                    {"enum" : [ "look", "keep" ]},
+                                    {"type" : "array", "items" : {"$ref" : "#/$defs/material"}}
+                                ]
+                            })},
     [ZR_SCENE_MESHES] = {"meshes", zr_read_meshes, 0, .object = &zr_json_object_mesh, .otherwise = "[]",
                          .text = "list of meshes: faces, lines and points, or a grid of heights",
                          .schema = ZR_SCHEMA({"type" : "array", "items" : {"$ref" : "#/$defs/mesh"}})},

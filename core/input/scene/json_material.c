@@ -130,10 +130,12 @@ static void note_linear_keys(struct zr_parsed_scene *root, uint64_t keys)
         if (zr_json_gives(keys, key)) root->linear_key = fields[key].key;
 }
 
+/* The word is about materials of model files. */
 bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
     struct zr_parsed_scene *root = out;
     struct zr_growing list = {.size = sizeof(struct zr_parsed_material)};
+    if (zr_json_type(json) == ZR_JSON_STRING) return zr_json_choice(json, path, &root->keeps_materials);
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); list.count++) {
         struct zr_parsed_material *given = zr_growing_next(&list, json);
@@ -224,6 +226,7 @@ static void put_textures(const struct zr_parsed_material *given, struct zr_mater
 {
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         material->textures[slot] = given->textures[slot].number;
+    material->is_alpha_only = given->is_alpha_only;
     material->normal_scale = given->textures[ZR_TEXTURE_NORMAL].strength;
     material->occlusion_strength = given->textures[ZR_TEXTURE_OCCLUSION].strength;
     if (zr_json_gives(given->keys, ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE)) {

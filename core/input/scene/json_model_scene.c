@@ -12,8 +12,10 @@
 static struct zr_parsed_material put_query(const struct zr_parsed_material *material,
                                            const struct zr_parsed_material *query)
 {
+    const uint64_t factors = UINT64_C(1) << ZR_MATERIAL_METALLIC | UINT64_C(1) << ZR_MATERIAL_ROUGHNESS;
     struct zr_parsed_material out = *material;
     if (!query) return out;
+    out.keys |= query->keys & factors;
     if (zr_json_gives(query->keys, ZR_MATERIAL_BASE_COLOR)) {
         out.base_color = query->base_color;
         out.has_linear_color = false;
@@ -29,8 +31,43 @@ static bool lights_surfaces(const struct zr_look *look)
     return look->shades_by_mesh || look->material.shading == ZR_SHADING_PBR;
 }
 
+/* With "colors": "materials", the picture shows the file's base colours. */
+static bool replaces_materials(const struct zr_parsed_scene *root)
+{
+    return root->scene->look->is_material && !root->keeps_materials && root->scene->parts.colors != ZR_COLORS_MATERIALS;
+}
+
+/* True if an alphaMode other than OPAQUE may apply to the material. */
+static bool uses_alpha(const struct zr_parsed_scene *root, const struct zr_parsed_material *material)
+{
+    return material->blends || material->face_style.alpha_mode > (int)ZR_ALPHA_OPAQUE ||
+           root->face_style.alpha_mode > (int)ZR_ALPHA_OPAQUE;
+}
+
+static void take_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material)
+{
+    const uint64_t maps = UINT64_C(1) << ZR_MATERIAL_NORMAL_TEXTURE | UINT64_C(1) << ZR_MATERIAL_OCCLUSION_TEXTURE;
+    const zr_vec4 look = root->scene->look->material.base_color;
+    const float alpha = zr_json_gives(material->keys, ZR_MATERIAL_BASE_COLOR) ? material->base_color.w : 1.0f;
+    material->keys = (material->keys & maps) | UINT64_C(1) << ZR_MATERIAL_BASE_COLOR;
+    material->base_color = (zr_vec4){look.x, look.y, look.z, alpha};
+    material->has_linear_color = false;
+    material->face_style.shading = ZR_UNSET;
+    material->is_alpha_only = uses_alpha(root, material);
+    material->textures[ZR_TEXTURE_METALLIC_ROUGHNESS].number = material->textures[ZR_TEXTURE_EMISSIVE].number = 0;
+    if (!material->is_alpha_only) material->textures[ZR_TEXTURE_BASE_COLOR].number = 0;
+}
+
+void zr_model_scene_fit_colors(const struct zr_parsed_scene *root, struct zr_mesh *mesh)
+{
+    if (mesh->scale || !replaces_materials(root)) return;
+    mesh->colors = NULL;
+    mesh->face_colors = NULL;
+}
+
 void zr_model_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material)
 {
+    if (replaces_materials(root)) take_look(root, material);
     if (!lights_surfaces(root->scene->look)) material->face_style.shading = ZR_UNSET;
 }
 
@@ -90,14 +127,16 @@ void zr_model_scene_make_materials(struct zr_parsed_scene *root, const struct zr
     if (!all) return;
     if (own_count > 0) over = zr_face_style_merge(&own->face_style, &root->face_style);
     for (uint32_t i = 0; i < file->material_count; i++) {
-        all[i] = put_query(&file->materials[i], own_count > 0 ? own : NULL);
-        zr_model_scene_fit_look(root, &all[i]);
+        struct zr_parsed_material fitted = file->materials[i];
+        zr_model_scene_fit_look(root, &fitted);
+        all[i] = put_query(&fitted, own_count > 0 ? own : NULL);
     }
     if (own_count > 0) all[file->material_count] = *own;
     root->materials = all;
     root->material_count = file->material_count + own_count;
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         const struct zr_style style = {.face_style = over, .number = i};
+        zr_model_scene_fit_colors(root, &root->builder->meshes[i]);
         zr_model_scene_make_mesh(root, file, i, &style, &root->builder->meshes[i]);
     }
     if (own_count > 0) note_uses(own, all, file->material_count + 1);

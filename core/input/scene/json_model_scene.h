@@ -13,8 +13,13 @@ void zr_model_scene_make_materials(struct zr_parsed_scene *root, const struct zr
 void zr_model_scene_make_mesh(struct zr_parsed_scene *root, const struct zr_model_scene *file, uint32_t which,
                               const struct zr_style *style, struct zr_mesh *mesh);
 
-/* Removes the shading of a file's material if the scene's look does not light surfaces. */
+/* Leaves of a file's material its opacity, its sides and its maps of normals and occlusion if the scene's look is a
+ * material, unless materials are kept. Removes its shading if the look does not light surfaces. */
 void zr_model_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parsed_material *material);
+
+/* Removes the colours of a file's mesh if the scene's look is a material, unless materials are kept. Colours of scalars
+ * stay. */
+void zr_model_scene_fit_colors(const struct zr_parsed_scene *root, struct zr_mesh *mesh);
 
 /* Sets the view's pose, projection and planes to those of the file's camera of this name or number, except the keys in
  * root->gives_projection, gives_znear and gives_zfar. `up` turns the file's space to world space. False, and a fault at `path`, if there is no such

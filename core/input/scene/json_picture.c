@@ -17,6 +17,8 @@
 static const char *const managements[] = {"none", "srgb"};
 static const char *const tones[] = {"none", "khronos-neutral", "neutral"};
 const struct zr_names zr_management_names = ZR_NAMES(2, managements);
+static const char *const file_materials[] = {"look", "keep"};
+const struct zr_names zr_file_material_names = ZR_NAMES(2, file_materials);
 static const char *const samples[] = {"1", "4", "16", "64"};
 const struct zr_names zr_sample_names = ZR_NAMES(4, samples);
 const struct zr_names zr_tone_names = ZR_NAMES(ZR_TONE_COUNT, tones);

@@ -130,6 +130,7 @@ struct zr_parsed_scene {
     struct zr_parsed_flow flow;                     /* of the output flow */
 
     size_t material_count;
+    int keeps_materials;                   /* 1: materials of model files stay, in looks that are a material, too */
     struct zr_parsed_material *materials;  /* sorted by name */
     struct zr_growing meshes;              /* struct zr_parsed_mesh */
     struct zr_soup *soup;                  /* or NULL */
@@ -318,7 +319,7 @@ void zr_parsed_note_keys(struct zr_parsed_picture *given, const char *name, cons
 /* Read into root->look and root->picture. */
 zr_json_read_fn zr_read_look, zr_read_up, zr_read_samples, zr_read_background, zr_read_environment, zr_read_occlusion,
     zr_read_edges;
-extern const struct zr_names zr_management_names, zr_tone_names, zr_sample_names;
+extern const struct zr_names zr_management_names, zr_tone_names, zr_sample_names, zr_file_material_names;
 
 /* json_looks.c: fills keys that the scene does not give from its look: the picture, lamps, view and window. Then, once
  * there are materials, decides on linear light and reports keys that exclude it. */

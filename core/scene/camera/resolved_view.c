@@ -10,8 +10,7 @@
 #include "scene/output.h"
 #include "scene/picture.h"
 
-enum zr_status zr_resolved_view_find(const struct zr_run *run, const struct zr_scene *scene,
-                                     const struct zr_resolved_view **out)
+enum zr_status zr_whole_view_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_resolved_view **out)
 {
     const struct zr_view *view = &scene->views[0];
     struct zr_resolved_view *resolved = zr_arena_zero(run->arena, 1, sizeof *resolved);

@@ -22,6 +22,10 @@ struct zr_resolved_view {
     struct zr_camera flow_camera;    /* of the target of the channel flow, if that is an output */
 };
 
+/* Resolves the view as if the scene were not cut open, as zr_resolved_view_find does for one that is not. */
+enum zr_status zr_whole_view_find(const struct zr_run *run, const struct zr_scene *scene,
+                                  struct zr_resolved_view **out);
+
 /* ---- the z-buffer of a base that has eye-space depth only ----
  *
  * Space:  eye-space depth along the view axis -> window depth, by the z and w rows of the projection.

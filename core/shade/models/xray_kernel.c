@@ -17,7 +17,7 @@ static inline zr_vm find_xrays(const struct zr_material *materials, const uint32
 /* Returns 1 - lean x, where x is that of the normal once turned towards the eye: to the right in the picture. */
 static inline zr_vf leaned(struct zr_vec3_v normal, zr_vf cosine)
 {
-    const float lean = ZR_MUTANT(xray_upright, 0.5f, 0.0f);
+    const float lean = ZR_MUTANT(xray_upright, 0.4f, 0.0f);
     const zr_vf right = zr_vf_set(lean) * normal.x, zero = zr_vf_set(0.0f);
     return zr_vf_set(1.0f) + zr_vf_select(zr_vf_lt(cosine, zero), right, zero - right);
 }
@@ -26,7 +26,7 @@ static inline zr_vf opacity_of(struct zr_vec3_v normal, zr_vf cosine)
 {
     const zr_vf along = zr_clamp01_v(zr_vf_set(1.0f) - zr_vf_abs(cosine));
     const zr_vf power = ZR_MUTANT(xray_cubed, along * along, along * along * along);
-    return zr_clamp01_v((zr_vf_set(0.11f) + zr_vf_set(0.56f) * power) * leaned(normal, cosine));
+    return zr_clamp01_v((zr_vf_set(0.10f) + zr_vf_set(0.80f) * power) * leaned(normal, cosine));
 }
 
 /* ---- glass ---- */

@@ -143,6 +143,28 @@ TEST(an_upright_window_has_the_angle_across)
     reading_free(reading);
 }
 
+/* Beyond 16:9 the larger side has the angle that 16:9 gives it. Angles that are given stay. */
+TEST(a_wide_window_holds_the_angle_of_its_larger_side)
+{
+    static const struct {
+        const char *rest;
+        float xfov, yfov;
+    } cases[] = {
+        {"\"window\": {\"width\": 1600, \"height\": 900}", 0, 0.52359878f},
+        {"\"window\": {\"width\": 1601, \"height\": 900}", 0.88910519f, 0},
+        {"\"window\": {\"width\": 900, \"height\": 1600}", 0.52359878f, 0},
+        {"\"window\": {\"width\": 330, \"height\": 1200}", 0, 0.88910519f},
+        {"\"window\": {\"width\": 1200, \"height\": 330}, \"view\": {\"perspective\": {\"yfov\": 0.5}}", 0, 0.5f},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct reading *reading = read_look("studio", cases[i].rest);
+        assert_true(reading->scene->views[0].xfov_radians == cases[i].xfov);
+        assert_true(reading->scene->views[0].yfov_radians == cases[i].yfov);
+        reading_free(reading);
+    }
+    assert_true(fabs(tan(0.88910519 / 2) - 16.0 / 9 * tan(0.52359878 / 2)) < 1e-7);
+}
+
 /* The picture of a scene with a look and the members `rest`. */
 static void expect_picture(const char *look, const char *rest, struct zr_picture wanted)
 {

@@ -28,6 +28,7 @@ static void begin(enum solid solid, bool is_from_mesh)
     test.picture.edges = (struct zr_edges){.is_on = true,
                                            .is_from_mesh = is_from_mesh,
                                            .width = 1.5f,
+                                           .keeps_width = true,
                                            .crease_degrees = 30,
                                            .silhouette_opacity = 1,
                                            .crease_opacity = 1};

@@ -45,6 +45,11 @@ TEST_AROUND(kept_faces_keep_their_ids_and_depths, open_arena, close_arena)
     begin(SOLID_TORUS, 64);
     test.scene.views[0].direction = (zr_vec3){-0.3f, -0.4f, -1};
     const struct zr_frame *whole = scene_render(&arena, NULL, &test.scene);
+    struct zr_view *view = &test.scene.views[0]; /* fitted to the whole */
+    view->pose = ZR_POSE_MATRIX;
+    view->world_to_camera = whole->camera.world_to_eye;
+    view->xmag = 1.0f / whole->camera.projection.m[0];
+    view->ymag = 1.0f / whole->camera.projection.m[5];
     test.scene.sections.count = 1;
     test.scene.sections.planes[0] = (struct zr_section){.normal = {0.2, 0.3, 1}, .point = {0, 0, 0.1}};
     const struct zr_frame *cut = scene_render(&arena, NULL, &test.scene);
@@ -60,7 +65,7 @@ TEST_AROUND(kept_faces_keep_their_ids_and_depths, open_arena, close_arena)
             others++;
     }
     assert_true(same > 100 && caps_seen > 20 && others < 100);
-    assert_memory_equal(&whole->camera, &cut->camera, sizeof cut->camera);
+    assert_memory_equal(&whole->camera.world_to_eye, &cut->camera.world_to_eye, sizeof cut->camera.world_to_eye);
 }
 
 TEST_AROUND(all_algorithms_and_teams_draw_the_same_caps, open_arena, close_arena)
