@@ -54,8 +54,11 @@ static void take_look(const struct zr_parsed_scene *root, struct zr_parsed_mater
     material->has_linear_color = false;
     material->face_style.shading = ZR_UNSET;
     material->is_alpha_only = uses_alpha(root, material);
-    material->textures[ZR_TEXTURE_METALLIC_ROUGHNESS].number = material->textures[ZR_TEXTURE_EMISSIVE].number = 0;
-    if (!material->is_alpha_only) material->textures[ZR_TEXTURE_BASE_COLOR].number = 0;
+    for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++) {
+        const bool is_of_shape = slot == ZR_TEXTURE_NORMAL || slot == ZR_TEXTURE_OCCLUSION;
+        const bool is_alpha = slot == ZR_TEXTURE_BASE_COLOR && material->is_alpha_only;
+        if (!is_of_shape && !is_alpha) material->textures[slot].number = 0;
+    }
 }
 
 void zr_model_scene_fit_colors(const struct zr_parsed_scene *root, struct zr_mesh *mesh)
