@@ -52,6 +52,7 @@ static void take_look(const struct zr_parsed_scene *root, struct zr_parsed_mater
     material->keys = (material->keys & maps) | UINT64_C(1) << ZR_MATERIAL_BASE_COLOR;
     material->base_color = (zr_vec4){look.x, look.y, look.z, alpha};
     material->has_linear_color = false;
+    material->finish = (struct zr_finish){0};
     material->face_style.shading = ZR_UNSET;
     material->is_alpha_only = uses_alpha(root, material);
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++) {

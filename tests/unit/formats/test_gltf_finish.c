@@ -76,6 +76,17 @@ TEST(finishes_are_read)
     }
 }
 
+TEST(looks_that_are_a_material_have_no_finish)
+{
+    struct zr_request request = {
+        .format = ZR_FORMAT_GLTF, .look = "clay", .channel = "color", .assets = parts, .asset_count = 1};
+    struct reading *reading =
+        read_request(request, finishes[0].text, strlen(finishes[0].text), zr_limits_default(), (size_t)1 << 28);
+    assert_read(reading);
+    assert_true(!zr_material_has_finish(&reading->scene->materials[reading->scene->meshes[0].material]));
+    reading_free(reading);
+}
+
 static const struct {
     const char *text, *place, *says;
 } faults[] = {
