@@ -14,14 +14,14 @@ static const struct {
     const char *name;
     uint64_t digests[LOOK_SCENES];
 } released[] = {
-    {"studio@1", {UINT64_C(0xa4ba59e4c34a2558), UINT64_C(0x9f4b022c08596968)}},
-    {"technical@1", {UINT64_C(0x3fa66981f9c9020a), UINT64_C(0x096cc0869553ba61)}},
-    {"clay@1", {UINT64_C(0xaece4688b4c7a676), UINT64_C(0x252d9b5de2028209)}},
-    {"dark@1", {UINT64_C(0x740f36d3869d0419), UINT64_C(0x22934b002a28efd9)}},
-    {"metal@1", {UINT64_C(0xcec957f508b8d620), UINT64_C(0x57ed3e890c0286b0)}},
-    {"outdoor@1", {UINT64_C(0x0ea8586e1a297bcd), UINT64_C(0x443f29fcda465f47)}},
-    {"blueprint@1", {UINT64_C(0x01278e9d4ef81936), UINT64_C(0x280da5d896aad99a)}},
-    {"xray@1", {UINT64_C(0x39f271a716b797e7), UINT64_C(0xd173901cde136702)}},
+    {"studio@1", {UINT64_C(0xfd7b2aa3d81d4051), UINT64_C(0xe5a3d5a75aa3c855)}},
+    {"technical@1", {UINT64_C(0xe0a6254094739b45), UINT64_C(0xee553ee6436c0b8b)}},
+    {"clay@1", {UINT64_C(0xd9083280c3c24d58), UINT64_C(0xb3535f2bfc8d7c7e)}},
+    {"dark@1", {UINT64_C(0x0a91f2b9f7dd9ec7), UINT64_C(0x5e356edf3ed232f0)}},
+    {"metal@1", {UINT64_C(0xce76a9168b516bd6), UINT64_C(0x9ac330a05985dbb2)}},
+    {"outdoor@1", {UINT64_C(0x9eb8b4c1e8208ccf), UINT64_C(0x5aea90ecd0e4a969)}},
+    {"blueprint@1", {UINT64_C(0x0843244f81d7528e), UINT64_C(0xecd373ec849cc829)}},
+    {"xray@1", {UINT64_C(0x45d44b30a2f76fec), UINT64_C(0x29b4893571172889)}},
     {"textbook@1", {UINT64_C(0xeec2ebd6a7c10fe5), UINT64_C(0xef093eb2f6c56f29)}},
 };
 enum { RELEASED = sizeof released / sizeof *released };
