@@ -160,7 +160,8 @@ enum zr_status zr_scene_read(const struct zr_run *run, const struct zr_request *
                              const struct zr_scene **scene);
 
 /* Resolves the scene's view into a camera. A view or depth range that is fitted to the geometry takes some walks over
- * the points of all instances; of a scene that is cut open, it shows what is left. `team` may be NULL (one thread) and `cancel` may be NULL (never).
+ * the points of all instances; of a scene that is cut open, it shows what is left. `team` may be NULL (one thread) and
+ * `cancel` may be NULL (never).
  * Errors: ZR_BAD_SCENE, explained by *error. ZR_NO_MEMORY, with *resolved NULL, and ZR_CANCELLED, with an incomplete
  *         *resolved, add nothing to *error. */
 enum zr_status zr_resolved_view_find(const struct zr_run *run, const struct zr_scene *scene,
@@ -182,10 +183,10 @@ enum zr_status zr_render_apart(const struct zr_run *run, const struct zr_scene *
                                const struct zr_resolved_view *resolved, const struct zr_frame **frame);
 
 /* Encodes the outputs of the frame's view: a single output as its file, several as a ZIP of files channel.extension.
- * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address (output/images/idat.h);
- * those of JPEG and WebP depend on the version of a library. Fails with ZR_BAD_SCENE if a strict request has warnings,
- * if a file has more than its max_bytes, or if a ZIP would have 4 GiB or more; with ZR_NO_MEMORY, ZR_CANCELLED or
- * ZR_INTERNAL. *error explains each; *answer is then undefined. */
+ * `team` may be NULL (one thread). Equal frames give equal bytes, for every team and memory address
+ * (output/images/idat.h); those of JPEG and WebP depend on the version of a library. Fails with ZR_BAD_SCENE if a
+ * strict request has warnings, if a file has more than its max_bytes, or if a ZIP would have 4 GiB or more; with
+ * ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL. *error explains each; *answer is then undefined. */
 enum zr_status zr_encode(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame,
                          struct zr_answer *answer);
 

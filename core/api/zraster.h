@@ -247,8 +247,8 @@ ZRASTER_API size_t zraster_references(const void *body, size_t body_size, const 
 ZRASTER_API const char *zraster_version(void); /* of the library that runs; ZRASTER_VERSION is the header's */
 ZRASTER_API uint32_t zraster_rules(void);      /* rises when the same scene gets other pixels */
 
-/* Returns JSON with the parameters of queries, keys of scenes, looks, channels, encodings, formats, limits, and words with
- * their meaning, for help and bindings. The text is the renderer's. NULL without memory. */
+/* Returns JSON with the parameters of queries, keys of scenes, looks, channels, encodings, formats, limits, and words
+ * with their meaning, for help and bindings. The text is the renderer's. NULL without memory. */
 ZRASTER_API const char *zraster_tables(zraster *renderer);
 
 /* Returns the JSON Schema (2020-12) of a scene, with the meaning, unit, default and bounds of each key. The text is the

@@ -155,8 +155,8 @@ static double bytes_of_masks(const struct zr_scene *scene, double pixels, double
     return 3.0 / 8.0 * fmin(0.1 * fragments, pixels * (double)scene->instance_count);
 }
 
-/* Bytes of the cells in which lines of the mesh are found: at least one face is in a cell that faces cover. Small windows
- * may show a detail of the scene, which has fewer fine pixels. */
+/* Bytes of the cells in which lines of the mesh are found: at least one face is in a cell that faces cover. Small
+ * windows may show a detail of the scene, which has fewer fine pixels. */
 static double bytes_of_cells(const struct zr_view *view, double pixels, double fragments)
 {
     const double cells = fmin(fine_pixels((double)view->width, (double)view->height), 2.0) / CELL_PIXELS;

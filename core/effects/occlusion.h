@@ -4,8 +4,8 @@
  *         layout of the G-buffer; 1 for uncovered pixels and lines.
  * How:    2 axes, each in both directions, of 4 steps, interleaved over 4 x 4 pixels. Each point found is the top of a
  *         column on the plane of the pixel's point, which hides light as in a height field. Then a separable 5 x 5 blur
- *         over pixels on the same plane. Samples interpolate the four nearest pixel centres: bilinear weights, divided by the squared distance
- *         to the sample's plane.
+ *         over pixels on the same plane. Samples interpolate the four nearest pixel centres: bilinear weights, divided
+ *         by the squared distance to the sample's plane.
  * Exact:  + - * / and sqrt in one order: every instruction set and thread count gives the same bytes. */
 #ifndef ZR_OCCLUSION_H
 #define ZR_OCCLUSION_H

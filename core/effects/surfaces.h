@@ -3,10 +3,10 @@
  * In:     owners of the samples of a tile, 4 x 4 a pixel. Out: the surfaces of each pixel, colours of pixels from those
  *         of surfaces, and the pixels at which surfaces end, which is where edges can be.
  * How:    samples of one primitive are one surface, with the values at their middle. The surface of the sample nearest
- *         to the middle of the pixel leads; of equally near ones, the first, by rows from the lowest. Others of the same
- *         material and base colour join it if their normals differ by at most 6 degrees, and the point of one lies
- *         within 1.5 samples of the plane of the other; the surface then has the mean of their values, by samples. Those
- *         that do not join are asked for the next in the same way.
+ *         to the middle of the pixel leads; of equally near ones, the first, by rows from the lowest. Others of the
+ *         same material and base colour join it if their normals differ by at most 6 degrees, and the point of one lies
+ *         within 1.5 samples of the plane of the other; the surface then has the mean of their values, by samples.
+ *         Those that do not join are asked for the next in the same way.
  * Exact:  integers, + - * / in one order: every instruction set and thread count gives the same bytes. */
 #ifndef ZR_SURFACES_H
 #define ZR_SURFACES_H

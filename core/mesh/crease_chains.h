@@ -4,9 +4,9 @@
  * Why:    a scan has short steep edges everywhere. As creases, they put saw teeth into light and dashes into drawings.
  * How:    two steep edges that meet in a vertex are linked if each goes on the other most straightly, and they turn by
  *         less than 40 degrees. A steep edge is noise if it is shorter than D / 80, its chain of links is shorter than
- *         D / 20, has fewer than 12 edges and is no ring, and a face beside it is gentle: the flattest of the face's other edges,
- *         of those that touch the steep one, bends by 0.5 degrees up to the crease angle. Parts of CAD have flat faces
- *         there, or faces that are steep on all sides.
+ *         D / 20, has fewer than 12 edges and is no ring, and a face beside it is gentle: the flattest of the face's
+ *         other edges, of those that touch the steep one, bends by 0.5 degrees up to the crease angle. Parts of CAD
+ *         have flat faces there, or faces that are steep on all sides.
  *         The rule holds for crease angles of 20 to 60 degrees; any other angle is exact.
  * Exact:  + - * / and sqrt in the order of edges. */
 #ifndef ZR_CREASE_CHAINS_H

@@ -22,8 +22,8 @@
 
 /* Returns one unit normal per corner (slot of mesh->indices), with w = 0; 0 if no face of the vertex has an area.
  * `degrees`: 0..180; a face at exactly this angle counts. Takes about 25 bytes per position and 4 per corner of scratch
- * from the arena and gives them back; with smoothing groups, 8 per corner; crease_fans.h takes more. Returns NULL if the
- * arena failed. If cancelled, returns early with undefined normals. */
+ * from the arena and gives them back; with smoothing groups, 8 per corner; crease_fans.h takes more. Returns NULL if
+ * the arena failed. If cancelled, returns early with undefined normals. */
 zr_vec4 *zr_crease_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, float degrees);
 
 #endif

@@ -9,7 +9,8 @@
 #include "input/json/json.h"
 #include "input/text/text.h"
 
-/* LINE_MAX: bytes of a line with names; the rest of a longer one is not read. NAMES_MAX: bytes of names with escapes. */
+/* LINE_MAX: bytes of a line with names; the rest of a longer one is not read. NAMES_MAX: bytes of names with
+ * escapes. */
 enum { LINE_MAX = 64 << 10, NAMES_MAX = 64 << 20 };
 
 struct list {
@@ -214,7 +215,8 @@ static void list_gltf(struct list *list, struct zr_json *json)
             zr_json_skip(json);
 }
 
-/* Scenes: lists the key "asset", and an image of the key "environment", anywhere. A list that begins with a number has none. */
+/* Scenes: lists the key "asset", and an image of the key "environment", anywhere. A list that begins with a number has
+ * none. */
 static void list_assets(struct list *list, struct zr_json *json)
 {
     struct zr_json_text key;

@@ -1,7 +1,8 @@
 /* picture_keys.h - scene: the keys of a scene that set values of struct zr_picture, one row each.
  *
  * The rows generate the merge with the look, the set of given keys and the search for a key that needs linear light.
- * A new key is a row here and a row in the table of its object (input/root/json_scene_fields.c, or input/scene/json_picture.c).
+ * A new key is a row here and a row in the table of its object (input/root/json_scene_fields.c, or
+ * input/scene/json_picture.c).
  */
 #ifndef ZR_PICTURE_KEYS_H
 #define ZR_PICTURE_KEYS_H

@@ -1,5 +1,5 @@
-/* eye_planes_simd.h - shade: planes of the mesh's own triangles in double, made for many triangles and evaluated at many
- * samples, for kernels.
+/* eye_planes_simd.h - shade: planes of the mesh's own triangles in double, made for many triangles and evaluated at
+ * many samples, for kernels.
  *
  * Source: as eye_depth.h.
  */

@@ -19,8 +19,8 @@
 /* Returns true if the frame has one of the channels. */
 bool zr_visible_points_are_wanted(const struct zr_frame *frame);
 
-/* Writes the tile's part of those channels that the frame has. All samples of the tile are written. `position`: space of
- * the channel position. */
+/* Writes the tile's part of those channels that the frame has. All samples of the tile are written. `position`: space
+ * of the channel position. */
 void zr_visible_points_tile(const struct zr_depths_of *of, enum zr_space position, const struct zr_tile *tile,
                             const struct zr_frame *frame);
 

@@ -120,9 +120,9 @@ static void draw(bool all_pairs, const char *creases, uint8_t *ink)
 
 /* ---- comparison ---- */
 
-/* Pairs of samples are left out only within a surface of a pixel, and between pixels whose leading surfaces join. There,
- * normals are within 6 degrees of one of them, and within 12 of each other: no crease, which is 30 or more. Points are
- * within 1.5 samples of its plane, which is no silhouette. */
+/* Pairs of samples are left out only within a surface of a pixel, and between pixels whose leading surfaces join.
+ * There, normals are within 6 degrees of one of them, and within 12 of each other: no crease, which is 30 or more.
+ * Points are within 1.5 samples of its plane, which is no silhouette. */
 static const struct {
     const char *name;
     void (*add)(void);

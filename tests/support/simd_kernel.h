@@ -1,4 +1,5 @@
-/* simd_kernel.h - support: every operation of base/simd/simd.h on arrays, compiled for each instruction set as kernels are.
+/* simd_kernel.h - support: every operation of base/simd/simd.h on arrays, compiled for each instruction set as kernels
+ * are.
  *
  * Element k of each result is the operation on element k of its operands.
  */

@@ -47,7 +47,8 @@ static void add_sample(const struct surface_sample *sample, uint32_t number, str
     }
 }
 
-/* Samples whose squared distance from the middle of the pixel, in half samples, is `square`; by rows from the lowest. */
+/* Samples whose squared distance from the middle of the pixel, in half samples, is `square`; by rows from the
+ * lowest. */
 static void add_ring(const struct surface_sample *samples, int square, struct surface_pixel *pixel)
 {
     for (uint32_t i = 0; i < SAMPLES; i++) {

@@ -1,5 +1,5 @@
-/* avx512.h - base: the rest of base/simd/simd.h for AVX-512 F, BW, DQ and VL with BMI2: sixteen lanes, and registers for
- * masks. */
+/* avx512.h - base: the rest of base/simd/simd.h for AVX-512 F, BW, DQ and VL with BMI2: sixteen lanes, and registers
+ * for masks. */
 #ifndef ZR_SIMD_AVX512_H
 #define ZR_SIMD_AVX512_H
 

@@ -1,5 +1,5 @@
-/* vec.h - base: the types of base/simd/simd.h as C's own vectors (vector_size), and the operations that every instruction
- * set writes alike. narrow.h, avx2.h and avx512.h add the others.
+/* vec.h - base: the types of base/simd/simd.h as C's own vectors (vector_size), and the operations that every
+ * instruction set writes alike. narrow.h, avx2.h and avx512.h add the others.
  */
 #ifndef ZR_SIMD_VEC_H
 #define ZR_SIMD_VEC_H

@@ -4,8 +4,9 @@
  *         three.js.
  * Suns:   what is brighter than 50 times the mean becomes one directional light, if it lies in one place.
  * Exact:  additions, products, quotients and square roots in a fixed order.
- * Source: Ward, "Real Pixels", Graphics Gems II, 1991 (the format); Karis, "Real Shading in Unreal Engine 4", 2013 (gathering
- *         with N = V = R); Ramamoorthi & Hanrahan, "An Efficient Representation for Irradiance Environment Maps", 2001.
+ * Source: Ward, "Real Pixels", Graphics Gems II, 1991 (the format); Karis, "Real Shading in Unreal Engine 4", 2013
+ *         (gathering with N = V = R); Ramamoorthi & Hanrahan, "An Efficient Representation for Irradiance Environment
+ *         Maps", 2001.
  */
 #ifndef ZR_ENVIRONMENT_IMAGE_H
 #define ZR_ENVIRONMENT_IMAGE_H

@@ -93,8 +93,8 @@ extern const uint32_t zr_filter_numbers[ZR_FILTER_COUNT], zr_wrap_numbers[ZR_WRA
 int zr_filter_of_number(uint32_t number);
 int zr_wrap_of_number(uint32_t number);
 
-/* Decodes a colour of light. Numbers are linear light. A negated colour is sRGB-encoded: it becomes linear light, or the
- * values as written if light is not linear. */
+/* Decodes a colour of light. Numbers are linear light. A negated colour is sRGB-encoded: it becomes linear light, or
+ * the values as written if light is not linear. */
 zr_vec3 zr_light_color(zr_vec3 given, bool is_linear);
 
 #endif

@@ -22,8 +22,9 @@ void zr_model_scene_fit_look(const struct zr_parsed_scene *root, struct zr_parse
 void zr_model_scene_fit_colors(const struct zr_parsed_scene *root, struct zr_mesh *mesh);
 
 /* Sets the view's pose, projection and planes to those of the file's camera of this name or number, except the keys in
- * root->gives_projection, gives_znear and gives_zfar. `up` turns the file's space to world space. False, and a fault at `path`, if there is no such
- * camera, or its planes and those of the view are in the wrong order. `file` may be NULL. */
+ * root->gives_projection, gives_znear and gives_zfar. `up` turns the file's space to world space. False, and a fault at
+ * `path`, if there is no such camera, or its planes and those of the view are in the wrong order. `file` may be
+ * NULL. */
 bool zr_model_scene_use_camera(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                const struct zr_model_scene *file, const char *camera, const zr_mat4 *up);
 

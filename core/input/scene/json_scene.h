@@ -306,7 +306,8 @@ struct zr_view_set *zr_view_set_add(struct zr_json *json, const struct zr_json_p
 bool zr_view_count_check(struct zr_json *json, const struct zr_json_path *path, size_t count);
 
 /* json_light.c: zr_vec4, a colour of light. Numbers are linear light. A text is sRGB-encoded and is stored
- * negated until zr_light_color (model/parsed_material.h) decodes it: to linear light, or to the values as written if light is not linear. */
+ * negated until zr_light_color (model/parsed_material.h) decodes it: to linear light, or to the values as written if
+ * light is not linear. */
 zr_json_read_fn zr_read_light_color;
 
 /* Decodes the colours of lamps, of `ambient` and of materials' specular, once scene->picture->is_linear is known. */

@@ -83,8 +83,8 @@ static const struct zr_environment_light METAL = {
                   {-0.0212f, -0.0207f, -0.0201f},
                   {0.0010f, 0.0008f, 0.0011f}}};
 
-/* A clear day: blue sky, haze at the horizon in front and behind, and a glow around the sun, which is itself a lamp. The
- * sun is at a place where it lights top and front of a cube differently. */
+/* A clear day: blue sky, haze at the horizon in front and behind, and a glow around the sun, which is itself a lamp.
+ * The sun is at a place where it lights top and front of a cube differently. */
 static const struct zr_environment_light OUTDOOR = {
     .sky = {0.34f, 0.52f, 0.84f},
     .ground = {0.30f, 0.27f, 0.22f},

@@ -1,5 +1,5 @@
-/* environment_map_simd.h - shade: light of an environment image (scene/environment_map.h), ZR_LANES directions at a time,
- * for kernels.
+/* environment_map_simd.h - shade: light of an environment image (scene/environment_map.h), ZR_LANES directions at a
+ * time, for kernels.
  */
 #ifndef ZR_ENVIRONMENT_MAP_SIMD_H
 #define ZR_ENVIRONMENT_MAP_SIMD_H

@@ -43,9 +43,9 @@ ZR_INLINED struct zr_vec3_v zr_shade_classic_v(const struct zr_linear_lighting *
     return zr_add_v(zr_mul_v(s->base, zr_add_v(reaching, direct)), shine);
 }
 
-/* Shades from the surface's colour times the material's cool one, on the side away from a lamp at the upper left, to the surface's own colour.
- * Creases are darkened. Source: Gooch and others, "A Non-Photorealistic Lighting Model For Automatic Technical
- * Illustration", 1998. */
+/* Shades from the surface's colour times the material's cool one, on the side away from a lamp at the upper left, to
+ * the surface's own colour. Creases are darkened. Source: Gooch and others, "A Non-Photorealistic Lighting Model For
+ * Automatic Technical Illustration", 1998. */
 ZR_INLINED struct zr_vec3_v zr_shade_gooch_v(const struct zr_gooch *gooch, struct zr_vec3_v cool,
                                              const struct zr_shading_v *s)
 {

@@ -1,7 +1,7 @@
 /* film_simd.h - shade: reflectance of surfaces under a thin film, whose colours follow from interference; for kernels.
  *
- * Light that is reflected m times in the film has the path m OPD, OPD = 2 ior thickness cos(angle in the film). Its share
- * of red, green and blue is a sum of Gaussians times cosines of OPD. Two terms are summed, as in other renderers.
+ * Light that is reflected m times in the film has the path m OPD, OPD = 2 ior thickness cos(angle in the film). Its
+ * share of red, green and blue is a sum of Gaussians times cosines of OPD. Two terms are summed, as in other renderers.
  * Source: KHR_materials_iridescence; Belcour and Barla, "A Practical Extension to Microfacet Theory for the Modeling of
  * Varying Iridescence", 2017.
  */

@@ -1,13 +1,13 @@
 /* finish_simd.h - shade: finishes of pbr surfaces (struct zr_finish), for kernels. Films: film_simd.h.
  *
- * Clear coat: a layer with the index of refraction 1.5, whose share of the light is Fc = factor (.04 + .96 (1 - N.V)^5),
- *             by the surface's normal without its normal map. The light is (1 - Fc) below + Fc of the coat: L(R) at the
- *             coat's roughness, and GGX's specular term of lamps.
+ * Clear coat: a layer with the index of refraction 1.5, whose share of the light is Fc = factor (.04 + .96 (1 -
+ *             N.V)^5), by the surface's normal without its normal map. The light is (1 - Fc) below + Fc of the coat:
+ *             L(R) at the coat's roughness, and GGX's specular term of lamps.
  * Sheen:      fibres, below the coat: colour (T E(N) + lamps) + (1 - max(colour) T) below. T is that of sheen.h. Lamps:
  *             Charlie's distribution and Ashikhmin's visibility.
  * Glass:      blended, its opacity is that of glass_opacity_v. The colour is divided by it, so that reflections keep
- *             their strength. A tint takes light from what is behind by its least channel; the rest of the others is the
- *             light all around. A ray through glass is not bent.
+ *             their strength. A tint takes light from what is behind by its least channel; the rest of the others is
+ *             the light all around. A ray through glass is not bent.
  * Uniform light from everywhere stays as it is below coats and white sheens.
  * Source:     KHR_materials_clearcoat, KHR_materials_sheen, KHR_materials_transmission.
  */
@@ -112,7 +112,8 @@ static inline struct zr_vec3_v zr_with_sheen_v(const struct zr_linear_lighting *
 
 /* ---- glass ---- */
 
-/* Adds the light behind a tinted glass, and divides the light by the opacity. surface: without textures and finishes. */
+/* Adds the light behind a tinted glass, and divides the light by the opacity. surface: without textures and
+ * finishes. */
 static inline struct zr_vec3_v zr_glass_light_v(const struct zr_linear_lighting *lighting,
                                                 const struct zr_material *material, const struct zr_shading_v *s,
                                                 struct zr_vec3_v light)

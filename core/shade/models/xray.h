@@ -14,8 +14,8 @@
 
 #include "shade/lights/lighting.h"
 
-/* Multiplies the opacities of samples with that shading, and of glass; lines keep theirs. `opacity` is laid out like the samples. Up
- * to 15 values beyond each row's end may be read and written. A kernel. */
+/* Multiplies the opacities of samples with that shading, and of glass; lines keep theirs. `opacity` is laid out like
+ * the samples. Up to 15 values beyond each row's end may be read and written. A kernel. */
 typedef void zr_xray_fn(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples, float *opacity);
 
 ZR_KERNEL_TABLE(zr_xray_fn, zr_xray)

@@ -1,6 +1,6 @@
-/* costs - bench: compares predictions with measurements. Prints the predicted time (core/cost/cost.h) and the processor time
- * of one thread, and the lower bound of memory and the memory held. Draws each scene, and each bare mesh in some looks
- * and sizes. The last lines have the shares of times within factors of 2 and 3. `make bench-costs` runs it.
+/* costs - bench: compares predictions with measurements. Prints the predicted time (core/cost/cost.h) and the processor
+ * time of one thread, and the lower bound of memory and the memory held. Draws each scene, and each bare mesh in some
+ * looks and sizes. The last lines have the shares of times within factors of 2 and 3. `make bench-costs` runs it.
  *
  *     build/tests/bench/alone/costs [--counts] FILE...
  *

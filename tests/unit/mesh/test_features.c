@@ -110,8 +110,8 @@ TEST(culled_faces_leave_borders)
 
 /* ---- models ---- */
 
-/* Counts of tests/reference/tables/feature_edges.py, which compares these rows with those of vtkFeatureEdges. Suzanne has bent
- * quads, of which VTK gets the triangles. */
+/* Counts of tests/reference/tables/feature_edges.py, which compares these rows with those of vtkFeatureEdges. Suzanne
+ * has bent quads, of which VTK gets the triangles. */
 static const struct counts {
     const char *name;
     uint32_t borders, creases, more;

@@ -1,4 +1,5 @@
-/* Surfaces of pixels: which primitives join, by pixels made for each limit, and by the rule in double, pixel by pixel. */
+/* Surfaces of pixels: which primitives join, by pixels made for each limit, and by the rule in double, pixel by
+ * pixel. */
 #include <math.h>
 #include <string.h>
 
