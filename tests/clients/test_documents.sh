@@ -49,7 +49,6 @@ complete() { # WORD...: the answers of bash's completion
 }
 verdict "bash completes a look" [ "$(complete zraster --look te | tr '\n' ' ')" = "technical textbook " ]
 verdict "and an environment" [ "$(complete zraster --environment met | tr '\n' ' ')" = "metal " ]
-verdict "and the version of a look" [ "$(complete zraster --look metal@ | tr '\n' ' ')" = "metal@1 " ]
 verdict "an option" [ "$(complete zraster part.stl --az)" = --azimuth ]
 verdict "and a command" [ "$(complete zraster comp)" = compare ]
 if command -v groff >/dev/null; then

@@ -104,7 +104,7 @@ class Addresses(Folder):
     def test_head(self):
         """HEAD has the headers and the status of GET, with its length once it is known"""
         name = self.client.put(CUBE + b"# head")
-        for query in ("", "?look=studio@1", "?look=studio"):
+        for query in ("", "?look=clay@1", "?look=dark"):
             first, got, told = self.get(name, query, "HEAD"), self.get(name, query), self.get(name, query, "HEAD")
             self.assertEqual((first[0], first[2], first[1]["Content-Length"], first[1]["Connection"]), (200, b"", None, "close"))
             self.assertEqual((told[0], told[2], told[1]["Content-Length"]), (200, b"", str(len(got[2]))))

@@ -195,8 +195,8 @@ static const struct zr_json_field environment_fields[] = {
     [FRAME] = {"frame", zr_json_choice, AT(frame), .words = &frame_names,
                .otherwise = "camera for studio and metal, else world",
                .text =
-                   "camera: moves with the camera; world: up is the scene's, and front is the camera's side, or for "
-                   "an image +x and +z are the scene's"},
+                   "camera: moves with the camera; world: fixed to the scene's up and the camera's side, or an image's "
+                   "+x and +z to the scene's"},
     ZR_BYTES_NAME_FIELDS(struct given_environment, file)};
 #undef AT
 static const struct zr_json_rule environment_rules[] = {{.kind = ZR_RULE_APART,

@@ -1,6 +1,5 @@
 #include "shade/sample_list.h"
 
-#include "shade/channels/color_simd.h"
 #include "shade/varyings_simd.h"
 
 enum { SLOT_BITS = 11, SLOTS = 1 << SLOT_BITS };

@@ -379,7 +379,7 @@ TEST(a_kept_file_keeps_parts_and_materials)
     const struct zr_request request = {.format = ZR_FORMAT_OBJ, .assets = assets, .asset_count = 2};
     struct keeping *keeping = keep(request, obj, sizeof obj - 1);
     for (int i = 0; i < 2; i++) {
-        assert_int_equal(keeping_change(keeping, (struct zr_request){.look = i ? "technical" : "clay"}), ZR_OK);
+        assert_int_equal(keeping_change(keeping, (struct zr_request){.look = i ? "dark" : "studio"}), ZR_OK);
         const struct zr_scene *scene = keeping->scene;
         const struct zr_mesh *mesh = &scene->meshes[0];
         assert_int_equal(mesh->part_count, 2);

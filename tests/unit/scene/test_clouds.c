@@ -40,7 +40,7 @@ static void open_cloud(struct cloud *cloud, uint32_t count)
                                      .meshes = &cloud->mesh,
                                      .instance_count = 1,
                                      .instances = &cloud->instance};
-    cloud->picture.merged = *cloud->scene.look->picture;
+    cloud->picture = (struct zr_parsed_picture){.merged = *cloud->scene.look->picture};
     cloud->scene.picture = &cloud->picture.merged;
     cloud->scene.views[0] = (struct zr_view){.width = 640, .height = 480};
     cloud->builder = (struct zr_scene_builder){

@@ -80,12 +80,14 @@ def _reflected(base: Any, surface: Tuple[float, float], normals: Any, to_eye: An
     nl = np.clip(_dot(normals, to_light), LEAST_COSINE, 1)
     nv = np.clip(np.abs(_dot(normals, to_eye)), LEAST_COSINE, 1)
     nh, vh = np.clip(_dot(normals, middle), 0, 1), np.clip(_dot(to_eye, middle), 0, 1)
+    grazing = (1 - vh) ** 5
     f0 = DIELECTRIC * (1 - metallic) + base * metallic
-    fresnel = f0 + (1 - f0) * (1 - vh) ** 5
+    fresnel = f0 + (1 - f0) * grazing
     k, a2 = (roughness + 1) ** 2 / 8, roughness**4
     shadowing = nv / (nv * (1 - k) + k) * nl / (nl * (1 - k) + k)
     spread = a2 / (np.pi * (nh * nh * (a2 - 1) + 1) ** 2)
-    diffuse = (1 - fresnel) * base * (1 - DIELECTRIC) * (1 - metallic) / np.pi
+    plastic = DIELECTRIC + (1 - DIELECTRIC) * grazing  # faces are mixes of a plastic and a metal
+    diffuse = (1 - plastic) * base * (1 - DIELECTRIC) * (1 - metallic) / np.pi
     return nl * (diffuse + fresnel * shadowing * spread / (4 * nl * nv + 0.001))
 
 
