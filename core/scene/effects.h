@@ -20,9 +20,8 @@ struct zr_environment {
     enum zr_environment_name name;
     float intensity;
     double rotation_degrees; /* around its up axis, counter-clockwise seen from above */
-    bool
-        camera_frame; /* it moves with the camera; else its up is the scene's, and its z points towards the camera; that
-                        * of an image is fixed to the scene */
+    bool camera_frame; /* it moves with the camera; else its up is the scene's, and its z points towards the camera;
+                        * that of an image is fixed to the scene */
     const struct zr_environment_map *map; /* of ZR_ENVIRONMENT_IMAGE, scene/environment_map.h */
 };
 

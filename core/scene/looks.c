@@ -71,9 +71,9 @@ static const struct zr_light outdoor_lights[] = {
 #define GOOCH                 .gooch = {0.35f, 0.65f}
 #define NEUTRAL(factor)       .tone = ZR_TONE_NEUTRAL, .exposure = (factor)
 #define NO_TONE               .tone = ZR_TONE_NONE, .exposure = 1
-#define STUDIO                .environment = {ZR_ENVIRONMENT_STUDIO, 1, 0, true}
-#define METAL                 .environment = {ZR_ENVIRONMENT_METAL, 1, 0, true}
-#define OUTDOOR               .environment = {ZR_ENVIRONMENT_OUTDOOR, 1, 0, false}
+#define STUDIO                .environment = {ZR_ENVIRONMENT_STUDIO, 1, 0, true, NULL}
+#define METAL                 .environment = {ZR_ENVIRONMENT_METAL, 1, 0, true, NULL}
+#define OUTDOOR               .environment = {ZR_ENVIRONMENT_OUTDOOR, 1, 0, false, NULL}
 #define GRADIENT(from, to)    .has_gradient = true, .top = RGB(from), .bottom = RGB(to)
 #define OCCLUSION(on, factor) .occlusion = {(on), 0.2f, (factor)}
 #define GROUNDED              .occlusion = {true, 0.15f, 1.7f}, .has_ground = true
@@ -215,7 +215,7 @@ const struct zr_look zr_looks[] = {
      .picture = &(const struct zr_picture){.side = 1,
                                            .line_width = 1,
                                            .crease_degrees = 180,
-                                           .environment = {ZR_ENVIRONMENT_NONE, 1, 0, true},
+                                           .environment = {ZR_ENVIRONMENT_NONE, 1, 0, true, NULL},
                                            NO_TONE,
                                            OCCLUSION(false, 2),
                                            .edges = {.color = RGB(INK),
