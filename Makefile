@@ -507,7 +507,7 @@ bench-looks: ## processor time of complete looks, kept scenes, one thread; AGAIN
 	@$(BUILD)/tests/bench/alone/look_times $(or $(ROUNDS),15) $(DATA)/models $(AGAINST:%=%/libzraster.so.0) $(BUILD)/libzraster.so.0
 
 .PHONY: bench-surfaces
-bench-surfaces: ## looks of 16 samples a pixel beside 64, which light each sample: RMS in steps of 255; ARGS="--against DIR"
+bench-surfaces: ## looks with 16 samples per pixel beside 64, which light each sample: RMS in steps of 255; ARGS="--against DIR"
 	@.ci/need $(NEED_BUILD) /usr/lib/python3/dist-packages/PIL=python3-pil /usr/lib/python3/dist-packages/numpy=python3-numpy
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
 	@/usr/bin/python3 tests/bench/python/surfaces.py $(ARGS) $(BUILD) $(BUILD)/surfaces $(addprefix $(DATA)/models/,stanford-bunny.obj parts/gear.obj parts/housing.obj beetle.obj suzanne.obj spot.obj)

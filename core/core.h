@@ -160,7 +160,7 @@ enum zr_status zr_scene_read(const struct zr_run *run, const struct zr_request *
                              const struct zr_scene **scene);
 
 /* Resolves the scene's view into a camera. A view or depth range that is fitted to the geometry takes some walks over
- * the points of all instances; of a scene that is cut open, it shows what is left. `team` may be NULL (one thread) and
+ * the points of all instances; with sections, it frames the remaining part. `team` may be NULL (one thread) and
  * `cancel` may be NULL (never).
  * Errors: ZR_BAD_SCENE, explained by *error. ZR_NO_MEMORY, with *resolved NULL, and ZR_CANCELLED, with an incomplete
  *         *resolved, add nothing to *error. */

@@ -44,8 +44,8 @@ static size_t rounded_up(size_t bytes, size_t unit)
 /* ---- blocks ---- */
 
 /* Returns the size of a block with room for `bytes` and the header: a multiple of `unit`, a power of two from a page to
- * a huge page. What goes beyond one by less than a sixteenth stays. SIZE_MAX if no such block can exist. Whole huge
- * pages: to clear as many bytes in small ones takes the system fifty times as long. */
+ * a huge page. A rest of at most a sixteenth of a unit is rounded up to pages instead. SIZE_MAX if no such block can
+ * exist. Whole huge pages: the system clears as many bytes in small ones fifty times as slowly. */
 static size_t block_size(size_t bytes, size_t unit)
 {
     if (bytes > SIZE_MAX - HEADER - ZR_ARENA_BLOCK) return SIZE_MAX;

@@ -7,7 +7,7 @@
  * Blocks survive zr_arena_reset: a worker that keeps its arena pays for first-touch page faults once. They are freed if
  * a request needs new blocks that would not fit beside them. Small allocations share blocks of ZR_ARENA_BLOCK. A larger
  * one gets a block of its own, a multiple of that or a little more, whose rest later ones share. Blocks are in huge
- * pages if the system has them, except for what goes beyond the last whole one.
+ * pages if the system has them, except for the rest behind the last whole one.
  *
  * Not thread-safe: one arena belongs to one thread at a time. */
 #ifndef ZR_ARENA_H

@@ -85,8 +85,8 @@
     row(hemisphere_turned)          /* 24, the sky is below */                                                        \
     row(gooch_linear)               /* 24, no power of 1.5 */                                                         \
     row(bounces_once)               /* 25, without the multiple reflections of rough metals */                        \
-    row(coat_adds_light)            /* 25, what is below a coat keeps all its light */                                \
-    row(sheen_adds_light)           /* 25, what is below a sheen keeps all its light */                               \
+    row(coat_adds_light)            /* 25, the surface below keeps all its light */                                   \
+    row(sheen_adds_light)           /* 25, the surface below keeps all its light */                                   \
     row(open_beyond_1)              /* 25, unoccluded white gets 1.0001 of the light from all around */               \
     row(fresnel_of_4th_power)       /* 25, of lamps */                                                                \
     row(environment_not_blurred)    /* 26, as mirrors show it */                                                      \

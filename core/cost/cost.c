@@ -10,7 +10,7 @@
 #include "effects/shadow_maps.h"
 #include "lines/cells.h"
 #include "lines/window_view.h"
-#include "mesh/overlap.h"
+#include "mesh/facts/overlap.h"
 #include "output/images/lossy.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"

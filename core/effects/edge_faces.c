@@ -41,7 +41,8 @@ static zr_vec3 point_of(const struct zr_edge_line *line, int32_t at)
 
 static float width_at(const struct zr_edge_rule *rule, zr_vec3 p)
 {
-    return (rule->slope[0] * p.x + rule->slope[1] * p.y) + (rule->slope[2] * p.z + rule->offset);
+    const struct zr_pixel_scale *scale = &rule->scale;
+    return (scale->slope[0] * p.x + scale->slope[1] * p.y) + (scale->slope[2] * p.z + scale->offset);
 }
 
 static bool are_joined(const struct zr_edge_rule *rule, const struct zr_edge_line *a, const struct zr_edge_line *b,

@@ -13,6 +13,7 @@
 #include "base/isa.h"
 #include "base/run.h"
 #include "base/team.h"
+#include "effects/occlusion.h"
 #include "effects/sample_pairs.h"
 #include "raster/tile.h"
 #include "shade/draw_attributes.h"
@@ -29,10 +30,10 @@ struct zr_edge_faces {
     const struct zr_draw_attributes *of_draw; /* with ZR_ATTRIBUTE_POINT */
 };
 
-/* Silhouette: each point is farther than limit * w from the plane of the other; w = slope . point + offset, the larger
- * value of the two points. Crease: no silhouette, and the dot product of the normals is below `cosine`. */
+/* Silhouette: each point is farther than limit * w from the plane of the other; w is that of `scale`, the larger value
+ * of the two points. Crease: no silhouette, and the dot product of the normals is below `cosine`. */
 struct zr_edge_rule {
-    float slope[3], offset;
+    struct zr_pixel_scale scale;
     float limit;
     float cosine;
     const struct zr_edge_faces *faces; /* NULL: the normals alone define the planes */

@@ -31,10 +31,8 @@ static struct zr_edge_rule make_rule(const struct zr_edges *edges, const struct 
 {
     double sine, cosine;
     zr_sine_cosine((double)edges->crease_degrees, &sine, &cosine);
-    struct zr_edge_rule rule = {.offset = scale->offset, .cosine = (float)cosine};
-    memcpy(rule.slope, scale->slope, sizeof rule.slope);
-    rule.limit = jump / (scale->scale * (float)side);
-    return rule;
+    return (struct zr_edge_rule){
+        .scale = *scale, .limit = jump / (scale->scale * (float)side), .cosine = (float)cosine};
 }
 
 struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width, uint32_t height, uint32_t side,

@@ -1,5 +1,5 @@
-#include "base/vec3_simd.h"
 #include "effects/edge_marks.h"
+#include "effects/pixel_scale_simd.h"
 
 struct pair {
     const struct zr_edge_line *a, *b;
@@ -8,12 +8,6 @@ struct pair {
 static inline struct zr_vec3_v load3(const float *const v[3], int32_t at)
 {
     return (struct zr_vec3_v){zr_vf_load(v[0] + at), zr_vf_load(v[1] + at), zr_vf_load(v[2] + at)};
-}
-
-static inline zr_vf depth_of(const struct zr_edge_rule *rule, struct zr_vec3_v p)
-{
-    const struct zr_vec3_v slope = {zr_vf_set(rule->slope[0]), zr_vf_set(rule->slope[1]), zr_vf_set(rule->slope[2])};
-    return zr_dot_v(slope, p) + zr_vf_set(rule->offset);
 }
 
 /* Compares ZR_LANES pairs, all covered. Symmetric in a and b to the last bit: differences only change their sign. */
@@ -25,7 +19,7 @@ static inline void compare_faces(const struct zr_edge_rule *rule, const struct z
     const zr_vf zero = zr_vf_set(0.0f);
     const zr_vm are_faces = zr_vm_and(zr_vf_lt(zero, zr_dot_v(n1, n1)), zr_vf_lt(zero, zr_dot_v(n2, n2)));
     const zr_vf distance = zr_vf_min(zr_vf_abs(zr_dot_v(between, n1)), zr_vf_abs(zr_dot_v(between, n2)));
-    const zr_vf depth = zr_vf_max(depth_of(rule, p1), depth_of(rule, p2));
+    const zr_vf depth = zr_vf_max(zr_pixel_scale_w_v(&rule->scale, p1), zr_pixel_scale_w_v(&rule->scale, p2));
     *apart = zr_vm_and(are_faces, zr_vf_lt(depth * zr_vf_set(rule->limit), distance));
     *bent = zr_vm_and(are_faces, zr_vf_lt(zr_dot_v(n1, n2), zr_vf_set(rule->cosine)));
 }

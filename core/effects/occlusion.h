@@ -55,7 +55,7 @@ typedef void zr_occlusion_samples_fn(const struct zr_occlusion_map *map, const s
 ZR_KERNEL_TABLE(zr_occlusion_samples_fn, zr_occlusion_samples)
 
 /* Interpolates the occlusion at places of a list, with `side` samples per side of a pixel, whose values are a G-buffer
- * of one row. May write 15 values more. */
+ * of one row. Up to 15 values behind the last may be written. */
 typedef void zr_occlusion_places_fn(const struct zr_occlusion_map *map, const struct zr_sample_list *list,
                                     const struct zr_gbuffer *values, uint32_t side, float *out);
 

@@ -1,5 +1,5 @@
-#include "base/vec3_simd.h"
 #include "effects/occlusion.h"
+#include "effects/pixel_scale_simd.h"
 #include "shade/lights/tone_simd.h"
 
 /* ---- from pixel centres to samples ---- */
@@ -11,17 +11,21 @@ static inline zr_vm zr_is_near_v(zr_vm where, zr_vf point_x)
     return zr_vf_lt_where(where, point_x, zr_vf_set(0.5f * ZR_FAR_POINT));
 }
 
-/* Two neighbouring pixel rows, or columns per lane, and the weight of each. At the window's border both are the
- * same. */
+/* Two neighbouring pixel rows, and the weight of each. At the window's border both are the same. */
 struct zr_pixel_row {
     ptrdiff_t start[2]; /* offsets of the rows in the G-buffer */
     float share[2];
 };
 
+/* The same of rows or columns, per lane. */
+struct beside {
+    zr_vi at[2];
+    zr_vf share[2];
+};
+
 struct zr_pixel_column {
     int32_t base; /* first column of vectors that contain all columns */
-    zr_vi at[2];  /* columns, per lane */
-    zr_vf share[2];
+    struct beside beside;
 };
 
 /* Returns n such that sample v, at `side` samples per pixel, lies between the centres of pixels n and n + 1; may be -1.
@@ -39,22 +43,28 @@ static inline struct zr_pixel_row zr_pixel_row_at(const struct zr_gbuffer *pixel
     return (struct zr_pixel_row){{low * pixels->stride, high * pixels->stride}, {1.0f - share, share}};
 }
 
+/* Finds the pixels of `count` between which coordinates lie, in samples. */
+static inline struct beside beside_of(zr_vf sample, uint32_t side, int32_t count)
+{
+    const zr_vf x = (sample + zr_vf_set(0.5f)) / zr_vf_set((float)side) - zr_vf_set(0.5f);
+    const zr_vi near = zr_vi_round(x), zero = zr_vi_set(0), last = zr_vi_set(count - 1);
+    const zr_vi before = zr_vi_select(zr_vf_lt(x, zr_vf_of(near)), near - zr_vi_set(1), near);
+    const zr_vf share = x - zr_vf_of(before);
+    return (struct beside){
+        {zr_vi_min(zr_vi_max(before, zero), last), zr_vi_min(zr_vi_max(before + zr_vi_set(1), zero), last)},
+        {zr_vf_set(1.0f) - share, share}};
+}
+
 /* For ZR_LANES neighbouring samples, at least two per pixel. With 4 lanes or more, one vector contains all pixels
  * between them, and lanes are picked from it, which takes a third of the time of gathering. */
 static inline struct zr_pixel_column zr_pixel_column_at(const struct zr_gbuffer *pixels, int32_t sample_x, int32_t side)
 {
-    struct zr_pixel_column column;
     const int32_t first = zr_pixel_before(sample_x, side), most = (int32_t)pixels->stride - ZR_LANES;
-    const zr_vf x =
-        (zr_vf_of(zr_vi_set(sample_x) + zr_vi_ramp()) + zr_vf_set(0.5f)) / zr_vf_set((float)side) - zr_vf_set(0.5f);
-    const zr_vi near = zr_vi_round(x), zero = zr_vi_set(0), last = zr_vi_set(pixels->width - 1);
-    const zr_vi before = zr_vi_select(zr_vf_lt(x, zr_vf_of(near)), near - zr_vi_set(1), near);
-    column.base = first < 0 ? 0 : first < most ? first : most;
-    column.at[0] = zr_vi_min(zr_vi_max(before, zero), last);
-    column.at[1] = zr_vi_min(zr_vi_max(before + zr_vi_set(1), zero), last);
-    column.share[1] = x - zr_vf_of(before);
-    column.share[0] = zr_vf_set(1.0f) - column.share[1];
-    return column;
+    const zr_vf x = zr_vf_of(zr_vi_set(sample_x) + zr_vi_ramp());
+    return (struct zr_pixel_column){first < 0      ? 0
+                                    : first < most ? first
+                                                   : most,
+                                    beside_of(x, (uint32_t)side, pixels->width)};
 }
 
 static inline zr_vf zr_pixel_pick(const float *row, int32_t base, zr_vi at)
@@ -63,29 +73,53 @@ static inline zr_vf zr_pixel_pick(const float *row, int32_t base, zr_vi at)
     return zr_vf_pick(zr_vf_load(row + base), at - zr_vi_set(base));
 }
 
-/* Returns the interpolated occlusion. Weights are (bilinear + 0.001) / (0.0001 + distance^2), where distance is that of
- * the pixel's point from the sample's plane, times map->plane_scale. 1 if the weights sum up to 0. */
+/* Weighted sums over the pixels around samples, whose planes are `normal` through `point`. */
+struct between {
+    struct zr_vec3_v point, normal;
+    zr_vf sum, weights;
+};
+
+static inline struct between between_of(struct zr_vec3_v point, struct zr_vec3_v normal)
+{
+    return (struct between){point, normal, zr_vf_set(0.0f), zr_vf_set(0.0f)};
+}
+
+/* Adds a pixel: its point, its occlusion and its bilinear weight. Weights are (bilinear + 0.001) / (0.0001 +
+ * distance^2), where distance is that of the pixel's point from the sample's plane, times map->plane_scale. */
+static inline void add_pixel(const struct zr_occlusion_map *map, zr_vm where, struct zr_vec3_v there,
+                             const zr_vf values[2], struct between *b)
+{
+    const zr_vf zero = zr_vf_set(0.0f), light = values[0], bilinear = values[1];
+    const zr_vf away = zr_dot_v(zr_minus_v(there, b->point), b->normal) * zr_vf_set(map->plane_scale);
+    const zr_vf weight = (bilinear + zr_vf_set(0.001f)) / (zr_vf_set(0.0001f) + away * away);
+    const zr_vm counts = zr_is_near_v(where, there.x);
+    b->sum = b->sum + zr_vf_select(counts, weight * light, zero);
+    b->weights = b->weights + zr_vf_select(counts, weight, zero);
+}
+
+/* Returns the mean; 1 if the weights sum up to 0. */
+static inline zr_vf between_end(const struct between *b)
+{
+    return zr_vf_select(zr_vf_lt(zr_vf_set(1e-12f), b->weights), b->sum / b->weights, zr_vf_set(1.0f));
+}
+
+/* Returns the interpolated occlusion. */
 static inline zr_vf zr_occlusion_between_v(const struct zr_occlusion_map *map, const struct zr_pixel_row *row,
                                            const struct zr_pixel_column *column, struct zr_vec3_v point,
                                            struct zr_vec3_v normal)
 {
-    const zr_vf zero = zr_vf_set(0.0f);
-    zr_vf sum = zero, weights = zero;
+    struct between between = between_of(point, normal);
     for (int i = 0; i < 4; i++) {
         const ptrdiff_t start = row->start[i >> 1];
-        const zr_vi at = column->at[i & 1];
+        const zr_vi at = column->beside.at[i & 1];
         const struct zr_vec3_v there = {zr_pixel_pick(map->pixels->point[0] + start, column->base, at),
                                         zr_pixel_pick(map->pixels->point[1] + start, column->base, at),
                                         zr_pixel_pick(map->pixels->point[2] + start, column->base, at)};
-        const zr_vf light = zr_pixel_pick(map->light + start, column->base, at);
-        const zr_vf away = zr_dot_v(zr_minus_v(there, point), normal) * zr_vf_set(map->plane_scale);
-        const zr_vf bilinear = column->share[i & 1] * zr_vf_set(row->share[i >> 1]);
-        const zr_vf weight = (bilinear + zr_vf_set(0.001f)) / (zr_vf_set(0.0001f) + away * away);
-        const zr_vm counts = zr_is_near_v(ZR_ALL_LANES, there.x);
-        sum = sum + zr_vf_select(counts, weight * light, zero);
-        weights = weights + zr_vf_select(counts, weight, zero);
+        const zr_vf values[2] = {zr_pixel_pick(map->light + start, column->base, at),
+                                 column->beside.share[i & 1] * zr_vf_set(row->share[i >> 1])};
+        add_pixel(map, ZR_ALL_LANES, there, values, &between);
     }
-    return zr_vf_select(zr_vf_lt(zr_vf_set(1e-12f), weights), sum / weights, zr_vf_set(1.0f));
+    return between_end(&between);
 }
 
 static inline struct zr_vec3_v load3(float *const planes[3], ptrdiff_t at)
@@ -123,10 +157,8 @@ struct centers {
 /* Sets the lengths of steps; at least 1, 2, 3 and 4 pixels, so a radius below 4 pixels counts as 4. */
 static inline void set_lengths(const struct zr_occlusion_work *work, int32_t x, int32_t y, struct centers *c)
 {
-    const struct zr_pixel_scale *scale = &work->scale;
-    const struct zr_vec3_v slope = {zr_vf_set(scale->slope[0]), zr_vf_set(scale->slope[1]), zr_vf_set(scale->slope[2])};
-    const zr_vf w = zr_dot_v(slope, c->point) + zr_vf_set(scale->offset);
-    const zr_vf pixels = zr_vf_set(work->radius * scale->scale) / w;
+    const zr_vf w = zr_pixel_scale_w_v(&work->scale, c->point);
+    const zr_vf pixels = zr_vf_set(work->radius * work->scale.scale) / w;
     const zr_vf radius = zr_vf_min(pixels, zr_vf_set(LONGEST));
     for (int j = 0; j < ZR_OCCLUSION_STEPS; j++) {
         const zr_vf length = radius * zr_vf_load(&work->step[y & 3][j][x & 15]);
@@ -147,7 +179,7 @@ static inline struct zr_vec3_v load_points(const zr_vec4 *points, zr_vi numbers)
     return v;
 }
 
-/* What the points of one direction hide: shares of the light from this direction, weighted by its cosine. */
+/* Occlusion by the points of one direction: shares of the light from this direction, weighted by its cosine. */
 struct along {
     zr_vf near, all;     /* largest share: of points up to two radii away, of all of them */
     zr_vf behind;        /* largest share of the opposite direction, by surfaces that lean over the pixel's point */
@@ -189,7 +221,7 @@ static inline zr_vf all_of(const struct along *along)
     return zr_vf_select(along->is_broken, zr_vf_set(0.0f), along->all);
 }
 
-/* Sums of the axes: of what is hidden, times the weight of the axis, and of the weights. */
+/* Sums over the axes: hidden light times the weight of the axis, and weights. */
 struct hidden {
     zr_vf sum, weights;
 };
@@ -388,41 +420,17 @@ void ZR_KERNEL(zr_occlusion_samples)(const struct zr_occlusion_map *map, const s
 
 /* ---- from pixel centres to samples in any order ---- */
 
-/* Pixels on both sides of a coordinate, and the weight of each, per lane; as in zr_pixel_column_at. */
-struct beside {
-    zr_vi at[2];
-    zr_vf share[2];
-};
-
-static inline struct beside beside_of(zr_vf sample, uint32_t side, int32_t count)
-{
-    const zr_vf x = (sample + zr_vf_set(0.5f)) / zr_vf_set((float)side) - zr_vf_set(0.5f);
-    const zr_vi near = zr_vi_round(x), zero = zr_vi_set(0), last = zr_vi_set(count - 1);
-    const zr_vi before = zr_vi_select(zr_vf_lt(x, zr_vf_of(near)), near - zr_vi_set(1), near);
-    const zr_vf share = x - zr_vf_of(before);
-    return (struct beside){
-        {zr_vi_min(zr_vi_max(before, zero), last), zr_vi_min(zr_vi_max(before + zr_vi_set(1), zero), last)},
-        {zr_vf_set(1.0f) - share, share}};
-}
-
-/* zr_occlusion_between_v for lanes that are no neighbours. */
+/* The same for lanes that are no neighbours. */
 static inline zr_vf between_any(const struct zr_occlusion_map *map, const struct beside *columns,
-                                const struct beside *rows, zr_vm where, struct zr_vec3_v point, struct zr_vec3_v normal)
+                                const struct beside *rows, zr_vm where, struct between between)
 {
-    const zr_vf zero = zr_vf_set(0.0f);
-    zr_vf sum = zero, weights = zero;
     for (int i = 0; i < 4; i++) {
         const zr_vi at = rows->at[i >> 1] * zr_vi_set((int32_t)map->pixels->stride) + columns->at[i & 1];
-        const struct zr_vec3_v there = gather3(map->pixels->point, where, at);
-        const zr_vf light = zr_vf_bits(zr_vi_gather(where, map->light, at));
-        const zr_vf away = zr_dot_v(zr_minus_v(there, point), normal) * zr_vf_set(map->plane_scale);
-        const zr_vf bilinear = columns->share[i & 1] * rows->share[i >> 1];
-        const zr_vf weight = (bilinear + zr_vf_set(0.001f)) / (zr_vf_set(0.0001f) + away * away);
-        const zr_vm counts = zr_is_near_v(where, there.x);
-        sum = sum + zr_vf_select(counts, weight * light, zero);
-        weights = weights + zr_vf_select(counts, weight, zero);
+        const zr_vf values[2] = {zr_vf_bits(zr_vi_gather(where, map->light, at)),
+                                 columns->share[i & 1] * rows->share[i >> 1]};
+        add_pixel(map, where, gather3(map->pixels->point, where, at), values, &between);
     }
-    return zr_vf_select(zr_vf_lt(zr_vf_set(1e-12f), weights), sum / weights, zr_vf_set(1.0f));
+    return between_end(&between);
 }
 
 void ZR_KERNEL(zr_occlusion_places)(const struct zr_occlusion_map *map, const struct zr_sample_list *list,
@@ -433,7 +441,7 @@ void ZR_KERNEL(zr_occlusion_places)(const struct zr_occlusion_map *map, const st
                             rows = beside_of(zr_vf_load(list->y + i), side, map->pixels->height);
         const struct zr_vec3_v point = load3(values->point, i), normal = load3(values->normal, i);
         const zr_vm has_plane = zr_vf_lt_where(zr_vm_first(list->count - i), zr_vf_set(0.0f), zr_dot_v(normal, normal));
-        const zr_vf light = between_any(map, &columns, &rows, has_plane, point, normal);
+        const zr_vf light = between_any(map, &columns, &rows, has_plane, between_of(point, normal));
         zr_vf_store(out + i, zr_vf_select(has_plane, light, zr_vf_set(1.0f)));
     }
 }

@@ -6,7 +6,7 @@
  *         to the middle of the pixel leads; of equally near ones, the first, by rows from the lowest. Others of the
  *         same material and base colour join it if their normals differ by at most 6 degrees, and the point of one lies
  *         within 1.5 samples of the plane of the other; the surface then has the mean of their values, by samples.
- *         Those that do not join are asked for the next in the same way.
+ *         The others form further surfaces in the same way.
  * Exact:  integers, + - * / in one order: every instruction set and thread count gives the same bytes. */
 #ifndef ZR_SURFACES_H
 #define ZR_SURFACES_H

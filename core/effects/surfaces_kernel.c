@@ -1,5 +1,5 @@
 #include "base/mutant.h"
-#include "base/vec3_simd.h"
+#include "effects/pixel_scale_simd.h"
 #include "effects/surfaces.h"
 
 enum {
@@ -93,18 +93,13 @@ struct place_v {
     struct zr_vec3_v normal, point;
 };
 
-static inline zr_vf depth_of(const struct zr_pixel_scale *scale, struct zr_vec3_v p)
-{
-    const struct zr_vec3_v slope = {zr_vf_set(scale->slope[0]), zr_vf_set(scale->slope[1]), zr_vf_set(scale->slope[2])};
-    return zr_dot_v(slope, p) + zr_vf_set(scale->offset);
-}
-
 /* Returns which surfaces join by their places. Symmetric to the last bit. */
 static inline zr_vm are_beside(const struct zr_surface_rule *rule, const struct place_v *a, const struct place_v *b)
 {
     const struct zr_vec3_v between = zr_minus_v(b->point, a->point);
     const zr_vf away = zr_vf_min(zr_vf_abs(zr_dot_v(between, a->normal)), zr_vf_abs(zr_dot_v(between, b->normal)));
-    const zr_vf depth = zr_vf_max(depth_of(&rule->scale, a->point), depth_of(&rule->scale, b->point));
+    const zr_vf depth =
+        zr_vf_max(zr_pixel_scale_w_v(&rule->scale, a->point), zr_pixel_scale_w_v(&rule->scale, b->point));
     const zr_vm is_straight = zr_vf_le(zr_vf_set(LEAST_COSINE), zr_dot_v(a->normal, b->normal));
     return zr_vm_and(is_straight, zr_vf_le(away, depth * zr_vf_set(MOST_AWAY / rule->scale.scale)));
 }
@@ -174,7 +169,7 @@ static inline bool join_leads(const struct zr_surface_rule *rule, const struct z
 
 /* ---- pixels ---- */
 
-/* Surfaces of a pixel that are not joined yet. */
+/* Surfaces of a pixel that have not joined another one yet. */
 struct open {
     uint32_t count, at[SAMPLES];
 };

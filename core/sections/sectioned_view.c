@@ -74,7 +74,7 @@ static void add_ring(struct rest *rest, const struct ring *ring)
         add(rest, ring->at[i]);
 }
 
-/* Adds what is left of a triangle that planes cross. Of a corner that is removed, each plane alone leaves a part. */
+/* Adds the rest of a triangle that planes cross. In a cut corner, each plane alone leaves a part. */
 static void add_clipped(struct rest *rest, const struct ring *triangle)
 {
     struct ring ring = *triangle;

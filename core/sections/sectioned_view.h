@@ -1,8 +1,8 @@
-/* sectioned_view.h - sections: the view of a scene, which is framed by what is left if the scene is cut open.
+/* sectioned_view.h - sections: the view of a scene. With sections, it frames the remaining part.
  *
  * How:    the view is resolved for the whole scene, which decides the planes and the direction of the camera. Triangles
  *         are clipped by the planes (Sutherland & Hodgman, "Reentrant polygon clipping", 1974), and the view is fitted
- *         to the corners that are left. Caps lie within their hull.
+ *         to the remaining corners. Caps lie within their hull.
  * Else:   the camera of the whole scene stays if the view has an eye, a distance or a mesh of its own to fit, if parts
  *         stay uncut, and if the far side of a plane would be the other one. The bounds are those of the whole scene.
  */

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "base/run.h"
-#include "mesh/closed_parts.h"
+#include "mesh/facts/closed_parts.h"
 #include "scene/parts/part_list.h"
 #include "scene/picture.h"
 #include "sections/cap_area.h"

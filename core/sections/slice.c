@@ -1,7 +1,7 @@
 #include "sections/slices.h"
 
 #include "base/run.h"
-#include "mesh/closed_parts.h"
+#include "mesh/facts/closed_parts.h"
 #include "mesh/weld.h"
 
 enum { FACES_PER_CANCEL_CHECK = 1 << 13, VERTICES_PER_CANCEL_CHECK = 1 << 16 };

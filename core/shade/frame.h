@@ -10,7 +10,7 @@
 #include "base/column_span.h"
 #include "core.h"
 #include "geometry/counts.h"
-#include "mesh/part_facts.h"
+#include "mesh/facts/part_facts.h"
 #include "scene/camera/camera.h"
 #include "scene/scene.h"
 

@@ -22,7 +22,7 @@ struct tally {
     uint64_t left_out; /* of bars that are not exact: float itself is too coarse, or there are outlines or lines */
     uint64_t twins_pixels, twins_beyond; /* of channels (twins.h): compared, and differ by more than they may */
     uint64_t colors_left_out; /* of pictures in linear light that have no twin (look_twin.h): the rest is compared */
-    uint64_t undecided;       /* pixels in linear light that are gaps, since rounding decides what is one surface */
+    uint64_t undecided;       /* gaps of pictures in linear light: pixels whose surfaces depend on rounding */
     struct comparison comparison;
 };
 

@@ -2,7 +2,7 @@
  *
  * Image:  the top row is up, the middle column is +x of the environment, a quarter to the right of it is +z, as in
  *         three.js.
- * Suns:   what is brighter than 50 times the mean becomes one directional light, if it lies in one place.
+ * Suns:   light above 50 times the mean becomes one directional light, if it comes from one place.
  * Exact:  additions, products, quotients and square roots in a fixed order.
  * Source: Ward, "Real Pixels", Graphics Gems II, 1991 (the format); Karis, "Real Shading in Unreal Engine 4", 2013
  *         (gathering with N = V = R); Ramamoorthi & Hanrahan, "An Efficient Representation for Irradiance Environment

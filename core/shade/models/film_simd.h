@@ -55,7 +55,7 @@ static inline zr_vf zr_fifth_power_v(zr_vf v)
     return square * square * v;
 }
 
-/* A film over one point: colours of both terms, cosine in the film, and what its upper side reflects. */
+/* A film over one point: colours of both terms, cosine in the film, and reflectance of its upper side. */
 struct zr_film_v {
     struct zr_vec3_v first, second;
     zr_vf ior, upper, within; /* within: (1 - cosine in the film)^5 */

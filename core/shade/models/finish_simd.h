@@ -6,7 +6,7 @@
  * Sheen:      fibres, below the coat: colour (T E(N) + lamps) + (1 - max(colour) T) below. T is that of sheen.h. Lamps:
  *             Charlie's distribution and Ashikhmin's visibility.
  * Glass:      blended, its opacity is that of glass_opacity_v. The colour is divided by it, so that reflections keep
- *             their strength. A tint takes light from what is behind by its least channel; the rest of the others is
+ *             their strength. The least channel of a tint attenuates the background; the rest of the others is
  *             the light all around. A ray through glass is not bent.
  * Uniform light from everywhere stays as it is below coats and white sheens.
  * Source:     KHR_materials_clearcoat, KHR_materials_sheen, KHR_materials_transmission.

@@ -1,5 +1,5 @@
-"""surfaces.py [--against DIR] BUILD FOLDER MODEL...: pictures of 16 samples a pixel, which light surfaces once a pixel,
-beside pictures of 64, which light each sample: the root of the mean square of their differences, in steps of 255. With
+"""surfaces.py [--against DIR] BUILD FOLDER MODEL...: pictures with 16 samples per pixel, which light surfaces once,
+beside pictures with 64, which light each sample: the root mean square of their differences, in steps of 255. With
 --against, also that of another build, and the ratio of both. FOLDER receives the pictures. `make bench-surfaces` runs it.
 """
 import os

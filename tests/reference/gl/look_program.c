@@ -34,7 +34,7 @@ static const char *const vertex =
     "    gl_Position = ftransform();\n"
     "}\n";
 
-/* What look_surfaces.c reads of samples. */
+/* Values of samples for look_surfaces.c. */
 static const char *const values = "#version 400 compatibility\n"
                                   "uniform float which;\n"
                                   "in vec3 base, normal, way;\n"

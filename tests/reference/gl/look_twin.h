@@ -14,11 +14,10 @@
 #include "reference/generate/batches.h"
 #include "reference/gl/reference_program.h"
 
-/* Rounding may decide what is one surface in so few pixels, beside one in many. */
+/* Most pixels of a picture whose surfaces depend on rounding: MAX, and one in PIXELS_PER_UNDECIDED more. */
 enum { LOOK_TWIN_UNDECIDED_MAX = 2, LOOK_TWIN_PIXELS_PER_UNDECIDED = 20000 };
 
-/* Ours may be off by so many steps of 255, since float rounds; but in so few pixels, beside one in many, that nothing
- * else is. */
+/* Largest difference in steps of 255, by rounding of floats. Most such pixels: MAX, and one in PIXELS_PER_NEAR more. */
 enum { LOOK_TWIN_SLACK = 1, LOOK_TWIN_NEAR_MAX = 4, LOOK_TWIN_PIXELS_PER_NEAR = 20000 };
 
 /* What of the scene's picture has no twin, for people; NULL: its colours can be compared. */
@@ -42,7 +41,7 @@ struct look_twin {
     const struct zr_scene *scene;
     const struct zr_camera *camera;
     struct batches_options options; /* of BATCHES_LIGHT */
-    uint64_t *undecided;            /* adds pixels in which rounding decides what is one surface */
+    uint64_t *undecided;            /* adds pixels whose surfaces depend on rounding */
 };
 
 /* To rgba, row 0 on top, as the channel color has it; gaps[pixel] is set where a sample of it is one. */

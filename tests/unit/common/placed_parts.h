@@ -3,7 +3,7 @@
 #define ZR_TEST_PLACED_PARTS_H
 
 #include "base/run.h"
-#include "mesh/part_facts.h"
+#include "mesh/facts/part_facts.h"
 #include "support/scenes.h"
 #include "support/tests.h"
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "mesh/least_wall.h"
+#include "mesh/facts/least_wall.h"
 #include "render/frame_parts.h"
 #include "support/random.h"
 #include "support/solids.h"

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "mesh/closed_parts.h"
+#include "mesh/facts/closed_parts.h"
 #include "render/frame_parts.h"
 #include "support/random.h"
 #include "support/test_arena.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "base/run.h"
-#include "mesh/closed_parts.h"
+#include "mesh/facts/closed_parts.h"
 #include "support/random.h"
 #include "support/solids.h"
 #include "support/test_arena.h"

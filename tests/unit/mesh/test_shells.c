@@ -2,8 +2,8 @@
 #include <string.h>
 
 #include "base/run.h"
-#include "mesh/closed_parts.h"
-#include "mesh/shells.h"
+#include "mesh/facts/closed_parts.h"
+#include "mesh/facts/shells.h"
 #include "support/random.h"
 #include "support/test_arena.h"
 #include "support/tests.h"

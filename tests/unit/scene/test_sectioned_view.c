@@ -1,4 +1,4 @@
-/* Views of scenes that are cut open show what is left. */
+/* Views of scenes with sections frame the remaining part. */
 #include "base/run.h"
 #include "sections/sectioned_view.h"
 #include "support/test_arena.h"

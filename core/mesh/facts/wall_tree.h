@@ -1,4 +1,5 @@
-/* wall_tree.h - mesh: the triangles of a solid in trees of boxes, for mesh/least_wall.c and mesh/wall_lines.c.
+/* wall_tree.h - mesh: the triangles of a solid in trees of boxes, for mesh/facts/least_wall.c and
+ * mesh/facts/wall_lines.c.
  *
  * Space:  world space, in double precision.
  * Trees:  two over the same triangles. `along` has them in the order of cells of their normals, then of cells of space;

@@ -21,7 +21,7 @@
 #ifndef ZR_LEAST_WALL_H
 #define ZR_LEAST_WALL_H
 
-#include "mesh/wall_tree.h"
+#include "mesh/facts/wall_tree.h"
 
 /* Length of the sum of two opposite unit normals: 0.1 degrees. */
 #define ZR_WALL_TILT 1.7453292e-3f

@@ -1,12 +1,12 @@
-#include "mesh/closed_parts.h"
+#include "mesh/facts/closed_parts.h"
 
 #include <stdatomic.h>
 
 #include "base/cancel.h"
 #include "base/run.h"
 #include "base/sort.h"
-#include "mesh/ring_area.h"
-#include "mesh/shells.h"
+#include "mesh/facts/ring_area.h"
+#include "mesh/facts/shells.h"
 #include "mesh/weld.h"
 #include "scene/parts/part_list.h"
 

@@ -20,7 +20,7 @@
 struct zr_shells;
 
 /* Sets closed[p] to 1 or 0 for each part; a mesh without face_parts has one. Counts the shells of each part
- * (mesh/shells.h), unless `shells` is NULL. Takes about 28 bytes per position of scratch from the arena, or 8 per
+ * (mesh/facts/shells.h), unless `shells` is NULL. Takes about 28 bytes per position of scratch from the arena, or 8 per
  * corner and 8 per position, and 5 per face for shells, and gives them back. False without memory. If cancelled,
  * returns early with undefined values. */
 bool zr_closed_parts_find(const struct zr_run *run, const struct zr_mesh *mesh, uint8_t *closed,

@@ -1,10 +1,10 @@
-#include "mesh/part_facts.h"
+#include "mesh/facts/part_facts.h"
 
 #include "base/cancel.h"
 #include "base/run.h"
-#include "mesh/closed_parts.h"
-#include "mesh/least_wall.h"
-#include "mesh/overlap.h"
+#include "mesh/facts/closed_parts.h"
+#include "mesh/facts/least_wall.h"
+#include "mesh/facts/overlap.h"
 #include "mesh/world_place.h"
 
 /* Faces by part, and closed parts; made once per mesh. */
@@ -22,7 +22,7 @@ struct sums {
     double min[3], max[3];
     uint64_t triangles, faces;
     bool is_lost;    /* a corner of a face is not finite */
-    bool has_excess; /* of a part: is taken off (mesh/overlap.h) */
+    bool has_excess; /* of a part: is taken off (mesh/facts/overlap.h) */
     double volume_error;
 };
 

@@ -1,4 +1,5 @@
-/* wall_lines.h - mesh: a possible wall between two opposite triangles, and lines through it; for mesh/least_wall.c.
+/* wall_lines.h - mesh: a possible wall between two opposite triangles, and lines through it; for
+ * mesh/facts/least_wall.c.
  *
  * Space:  that of the solid (wall_tree.h). A pair has a frame of its own, whose third axis runs through the material.
  * Work:   counted in steps, as least_wall.h describes. A search whose steps are used up, or that is cancelled, is
@@ -7,7 +8,7 @@
 #ifndef ZR_WALL_LINES_H
 #define ZR_WALL_LINES_H
 
-#include "mesh/wall_tree.h"
+#include "mesh/facts/wall_tree.h"
 
 enum {
     ZR_WALL_DEPTH = 64,  /* more than the depth of a tree */

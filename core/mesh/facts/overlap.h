@@ -2,9 +2,9 @@
  *
  * Space:  world space, in double precision.
  * Rule:   inside is where the winding number w is not 0, as in caps. The sum of pyramids over the faces (part_facts.h)
- *         is the integral of w. The excess is the integral of w - 1 where w > 0, and of w + 1 where w < 0 and no place of
- *         the part has w > 0: such a part is inside out, and its volume stays negative. In any other part, places with
- *         w < 0 count as 1. The sum less the excess is the volume, and exact where there is no excess.
+ *         is the integral of w. The excess is the integral of w - 1 where w > 0, and of w + 1 where w < 0 and no place
+ *         of the part has w > 0: such a part is inside out, and its volume stays negative. In any other part, places
+ *         with w < 0 count as 1. The sum less the excess is the volume, and exact where there is no excess.
  * Rays:   a quick grid in one direction finds whether there is an excess. Finer grids in three oblique directions at
  *         right angles, along which no faces of usual models line up, measure it; the result is their mean. A ray
  *         crosses either both triangles of an edge or none: rows and columns are decided from the edge alone.
@@ -18,7 +18,7 @@
 #ifndef ZR_OVERLAP_H
 #define ZR_OVERLAP_H
 
-#include "mesh/wall_tree.h"
+#include "mesh/facts/wall_tree.h"
 
 /* Parts of fewer faces have no overlap: a closed surface of fewer is a tetrahedron. */
 enum { ZR_OVERLAP_FACES_LEAST = 6 };

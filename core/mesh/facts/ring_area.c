@@ -1,4 +1,4 @@
-#include "mesh/ring_area.h"
+#include "mesh/facts/ring_area.h"
 
 static void place_of(const struct zr_mesh *mesh, uint32_t slot, double place[3])
 {

@@ -5,13 +5,14 @@
  *         in both directions, such as a concave face, its area is the length of its area vector. The volume is a sum of
  *         pyramids over the fans (divergence theorem). Their apex is a corner of the part. The centre of mass is the
  *         mean of the pyramids' centroids, weighted by their volumes. What shells count more than once or against one
- *         another is measured along rays and taken off (mesh/overlap.h).
- * Wall:   by mesh/least_wall.h. The parts share ZR_WALL_STEPS_MIN steps, and ZR_WALL_STEPS for each of their triangles.
+ *         another is measured along rays and taken off (mesh/facts/overlap.h).
+ * Wall:   by mesh/facts/least_wall.h. The parts share ZR_WALL_STEPS_MIN steps, and ZR_WALL_STEPS for each of their
+ * triangles.
  * Work:   limits keep it within ten times of what core/cost predicts by the number of parts and triangles
  *         (make bench-costs-hostile). Walls of usual parts take up to 220 steps for each triangle.
  * Lost:   a face with a corner beyond the range of float has no area. A part with such a face is not closed.
- * Exact:  each task of ZR_FACES_PER_TASK faces has separate sums, which are added in order. The results are therefore the
- *         same for all numbers of threads and instruction sets.
+ * Exact:  each task of ZR_FACES_PER_TASK faces has separate sums, which are added in order. The results are therefore
+ *         the same for all numbers of threads and instruction sets.
  */
 #ifndef ZR_PART_FACTS_H
 #define ZR_PART_FACTS_H
@@ -20,17 +21,18 @@
 #include "base/run.h"
 #include "base/team.h"
 #include "core.h"
-#include "mesh/least_wall.h"
-#include "mesh/shells.h"
+#include "mesh/facts/least_wall.h"
+#include "mesh/facts/shells.h"
 #include "scene/parts/part_list.h"
 
 enum { ZR_FACES_PER_TASK = 4096 };
 
-/* Steps of the search for least walls (mesh/least_wall.h): for all parts together, and for each of their triangles. */
+/* Steps of the search for least walls (mesh/facts/least_wall.h): for all parts together, and for each of their
+ * triangles. */
 enum { ZR_WALL_STEPS_MIN = 1 << 17, ZR_WALL_STEPS = 192 };
 
-/* Work of grids of rays (mesh/overlap.h): a sum that all parts share, the least work per part, and the work that each
- * triangle adds. */
+/* Work of grids of rays (mesh/facts/overlap.h): a sum that all parts share, the least work per part, and the work that
+ * each triangle adds. */
 enum { ZR_OVERLAP_WORK = 9 << 14, ZR_OVERLAP_WORK_LEAST = 1 << 12, ZR_OVERLAP_WORK_OF_TRIANGLE = 24 };
 
 /* Edges of a part that is not closed, and the middle of one, in world space. */
@@ -45,7 +47,7 @@ struct zr_part_facts {
     zr_vec3 min, max;
     uint64_t triangles; /* sum over its faces: corners - 2, plus 2 per hole */
     double area;
-    bool is_closed;                                 /* by the rule of mesh/closed_parts.h */
+    bool is_closed;                                 /* by the rule of mesh/facts/closed_parts.h */
     struct zr_shells shells;                        /* open if a face has a corner beyond the range of float */
     struct zr_edge_facts open_edges, flipped_edges; /* shells.h */
     double volume;                                  /* if closed; negative if all its faces are turned inside out */
@@ -58,8 +60,8 @@ struct zr_part_facts {
                       lines and points */
 };
 
-/* Fills in facts[0 .. parts->count - 1]. Leaves up to 4 bytes per face, and one task per ZR_FACES_PER_TASK faces, in the
- * arena. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Fills in facts[0 .. parts->count - 1]. Leaves up to 4 bytes per face, and one task per ZR_FACES_PER_TASK faces, in
+ * the arena. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_part_facts_find(const struct zr_run *run, const struct zr_scene *scene,
                                   const struct zr_part_list *parts, struct zr_part_facts *facts);
 

@@ -1,7 +1,7 @@
-#include "mesh/shells.h"
+#include "mesh/facts/shells.h"
 
 #include "base/cancel.h"
-#include "mesh/ring_area.h"
+#include "mesh/facts/ring_area.h"
 #include "scene/parts/part_list.h"
 
 /* Precision of coordinates, relative to the largest one. */

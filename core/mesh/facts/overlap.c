@@ -1,9 +1,9 @@
-#include "mesh/overlap.h"
+#include "mesh/facts/overlap.h"
 
 #include <string.h>
 
 #include "base/sort.h"
-#include "mesh/closed_parts.h"
+#include "mesh/facts/closed_parts.h"
 
 enum {
     QUICK_MOST = 128, /* rays along the longest side of the quick grid, and least of it */

@@ -1,6 +1,6 @@
-#include "mesh/least_wall.h"
+#include "mesh/facts/least_wall.h"
 
-#include "mesh/wall_lines.h"
+#include "mesh/facts/wall_lines.h"
 
 enum {
     STEPS_PER_PAIR = 8,

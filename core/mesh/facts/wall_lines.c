@@ -1,4 +1,4 @@
-#include "mesh/wall_lines.h"
+#include "mesh/facts/wall_lines.h"
 
 enum {
     BESIDE_MAX = 96, /* triangles beside an overlap that are held for all its lines */

@@ -1,6 +1,6 @@
-#include "mesh/wall_tree.h"
+#include "mesh/facts/wall_tree.h"
 
-#include "mesh/closed_parts.h"
+#include "mesh/facts/closed_parts.h"
 
 enum { DIGIT = 10, DIGITS = 1 << DIGIT, ITEMS_PER_CANCEL_CHECK = 1 << 14, NORMAL_BITS = 8 };
 
