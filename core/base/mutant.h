@@ -81,6 +81,7 @@
     row(joins_to_20_degrees)        /* 23a */                                                                         \
     row(joined_keep_first_values)   /* 23a, no mean */                                                                \
     row(primitives_at_middle)       /* 23a, values at the middle of the pixel */                                      \
+    row(steep_at_middle)            /* 23b, opacity at the middle alone */                                            \
     row(shares_by_surfaces)         /* 23a, not by samples */                                                         \
     row(hemisphere_turned)          /* 24, the sky is below */                                                        \
     row(gooch_linear)               /* 24, no power of 1.5 */                                                         \

@@ -12,6 +12,7 @@
 #define ZR_SURFACES_H
 
 #include "base/isa.h"
+#include "base/mutant.h"
 #include "effects/occlusion.h"
 #include "effects/sample_pairs.h"
 #include "raster/tile.h"
@@ -38,6 +39,26 @@ struct zr_surfaces {
     float occlusion[ZR_SAMPLES_ROOM], color[3][ZR_SAMPLES_ROOM];
     uint32_t material[ZR_SAMPLES_ROOM];
 };
+
+/* Place in a pixel, in samples from the lowest and leftmost. */
+struct zr_surface_middle {
+    float x, y;
+};
+
+/* Returns the middle of the samples of a mask, along one axis. `odd`: those at 1 and 3, `upper`: at 2 and 3. */
+static inline float zr_surface_middle_along(uint32_t mask, uint32_t odd, uint32_t upper)
+{
+    const int steps = __builtin_popcount(mask & odd) + 2 * __builtin_popcount(mask & upper);
+    const float middle = (float)steps / (float)__builtin_popcount(mask);
+    return ZR_MUTANT(primitives_at_middle, middle, 1.5f);
+}
+
+/* Returns the middle of samples. Sample i, of column i % 4 and row i / 4, is bit i of the mask. */
+static inline struct zr_surface_middle zr_surface_middle_of(uint32_t mask)
+{
+    return (struct zr_surface_middle){zr_surface_middle_along(mask, 0xAAAAu, 0xCCCCu),
+                                      zr_surface_middle_along(mask, 0xF0F0u, 0xFF00u)};
+}
 
 /* Which samples are near each other. */
 struct zr_surface_rule {

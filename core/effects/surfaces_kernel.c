@@ -36,14 +36,6 @@ static inline uint32_t middle_of(uint32_t mask)
     return (uint32_t)zr_lowest_bit(inner ? inner : outer ? outer : mask);
 }
 
-/* Returns the middle of the samples of a mask, from its first sample along one axis. `odd`: those at 1 and 3, `upper`:
- * at 2 and 3. */
-static inline float middle_along(uint32_t mask, uint32_t odd, uint32_t upper, float count)
-{
-    const float middle = (float)(__builtin_popcount(mask & odd) + 2 * __builtin_popcount(mask & upper)) / count;
-    return ZR_MUTANT(primitives_at_middle, middle, 1.5f);
-}
-
 /* A pixel: place of its first sample in the tile, and that sample in the window. */
 struct pixel {
     uint32_t at;
@@ -58,8 +50,9 @@ static inline void find_in_pixel(const uint32_t *owners, const struct pixel *pix
     while (left) {
         const uint32_t middle = middle_of(left), owner = own[middle / SIDE * ZR_TILE_STRIDE + middle % SIDE];
         const uint32_t same = owned_by(own, owner), count = (uint32_t)__builtin_popcount(same), i = list->count++;
-        list->x[i] = pixel->x + middle_along(same, 0xAAAAu, 0xCCCCu, (float)count);
-        list->y[i] = pixel->y + middle_along(same, 0xF0F0u, 0xFF00u, (float)count);
+        const struct zr_surface_middle at = zr_surface_middle_of(same);
+        list->x[i] = pixel->x + at.x;
+        list->y[i] = pixel->y + at.y;
         list->owner[i] = owner;
         out->samples[i] = count;
         out->lead[i] = lead;

@@ -46,7 +46,7 @@ bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, stru
 }
 
 /* Shell sort: most lists are short, and none is longer than the number of primitives. Gaps: Ciura 2001. */
-static void sort(uint64_t *keys, uint32_t count)
+void zr_fragment_keys_sort(uint64_t *keys, uint32_t count)
 {
     static const uint32_t gaps[] = {1398101, 345000, 86961, 21907, 5501, 1750, 701, 301, 132, 57, 23, 10, 4, 1};
     size_t g = 0;
@@ -81,6 +81,6 @@ void zr_fragments_sort(const struct zr_cancel *cancel, struct zr_fragments *frag
             if (zr_is_cancelled(cancel)) return;
             next = fragments->ends[i] + FRAGMENTS_PER_CANCEL_CHECK;
         }
-        sort(fragments->keys + fragments->ends[i], fragments->ends[i + 1] - fragments->ends[i]);
+        zr_fragment_keys_sort(fragments->keys + fragments->ends[i], fragments->ends[i + 1] - fragments->ends[i]);
     }
 }

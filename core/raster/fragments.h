@@ -89,6 +89,9 @@ bool zr_fragments_begin(struct zr_arena *arena, pthread_mutex_t *lock, uint32_t 
 bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, struct zr_fragments *fragments);
 void zr_fragments_sort(const struct zr_cancel *cancel, struct zr_fragments *fragments);
 
+/* Sorts keys in increasing order. */
+void zr_fragment_keys_sort(uint64_t *keys, uint32_t count);
+
 /* Returns the total number of fragments, after sorting. */
 static inline uint32_t zr_fragments_count(const struct zr_fragments *fragments)
 {

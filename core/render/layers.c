@@ -68,6 +68,17 @@ static void let_equal_pass(struct zr_tile *tile, float *kept)
         }
 }
 
+bool zr_layers_put_blended(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
+                           struct zr_tile *tile, struct zr_fragments *fragments)
+{
+    float kept[ZR_LAYER_FLOATS];
+    const bool shows_any = zr_paint_of(tiles->isa)->count(tile) > 0;
+    if (shows_any) let_equal_pass(tile, kept);
+    const bool is_complete = put_all(tiles, number, ZR_ALPHA_BLEND, cancel, tile, fragments);
+    if (shows_any) memcpy(tile->depth, kept, sizeof tile->depth);
+    return is_complete;
+}
+
 bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
                     const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_layers *layers)
 {

@@ -29,7 +29,8 @@ struct zr_layers_pool {
     struct zr_arena *arena;
     pthread_mutex_t lock; /* guards the arena and the members below */
     struct zr_layers *free;
-    uint64_t masked_tiles; /* zr_counts.masked_tiles */
+    struct zr_layer_surfaces *free_surfaces; /* layer_surfaces.h */
+    uint64_t masked_tiles;                   /* zr_counts.masked_tiles */
 };
 
 /* Takes working memory from the pool. Returns NULL if out of memory; the arena has failed then. */
@@ -45,6 +46,10 @@ bool zr_layers_mask(const struct zr_tile_source *tiles, uint32_t number, const s
  * in front of the tile's samples, and blended ones of equal depth, too, such as decals. Returns false if cancelled or out of memory. */
 bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
                     const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_layers *layers);
+
+/* Puts the blended fragments in front of a tile's samples, and those of equal depth. Returns false if cancelled. */
+bool zr_layers_put_blended(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
+                           struct zr_tile *tile, struct zr_fragments *fragments);
 
 /* Writes layer `depth` to layers->tile. Layer 0 holds the farthest fragment of each pixel. */
 void zr_layers_show(struct zr_layers *layers, uint32_t depth);

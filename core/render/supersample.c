@@ -5,6 +5,7 @@
 
 #include "base/rgba.h"
 #include "base/run.h"
+#include "render/layer_surfaces.h"
 #include "render/layers.h"
 #include "scene/channels.h"
 #include "shade/models/xray.h"
@@ -188,6 +189,26 @@ static uint32_t light_layers(const struct drawing *d, const struct zr_tile *tile
     return uncovered;
 }
 
+/* Lights, blends and averages a tile that blended surfaces cover, each lit once in a pixel. Of the tile, lit->color has
+ * the light, unless it shows nothing else. Returns as light_layers. */
+static uint32_t light_layer_surfaces(const struct drawing *d, const struct zr_tile *tile, bool is_bare,
+                                     struct zr_layer_surfaces *blended, struct lit_room *room)
+{
+    const struct place place = place_of(d, tile);
+    const struct zr_linear_frame *to = d->stages->out;
+    const struct zr_layer_light light = {&d->pass->tiles, d->stages->lighting, d->stages->has_xrays};
+    const float *const color[3] = {room->tile.color[0], room->tile.color[1], room->tile.color[2]};
+    uint32_t uncovered = 0;
+    zr_layer_surfaces_light(&light, tile, d->cancel, &room->surfaces, &room->tile.room, blended);
+    for (uint32_t y = 0; y < place.height && !zr_is_cancelled(d->cancel); y++) {
+        const size_t at = (place.y + y) * to->stride + place.x;
+        float *const out[4] = {to->color[0] + at, to->color[1] + at, to->color[2] + at, to->cover + at};
+        uncovered += zr_layer_surfaces_blend_of(d->isa)(blended, tile, (int32_t)y, is_bare ? NULL : color, out);
+    }
+    zr_layer_surfaces_give(&d->pass->tiles, blended);
+    return uncovered;
+}
+
 /* ---- light of surfaces ---- */
 
 static void light_rows(const struct drawing *d, const struct place *place, uint32_t y, struct zr_surfaces *surfaces)
@@ -254,9 +275,28 @@ static void light_surfaces(const struct drawing *d, uint32_t number, const struc
     if (d->stages->edges) mark_edges(d, number, tile, room);
 }
 
+/* What is blended over a tile: its samples' layers, or the surfaces of its pixels, or neither. */
+struct blended {
+    struct zr_layers *layers;
+    struct zr_layer_surfaces *surfaces;
+};
+
+/* Returns true if surfaces are lit once in a pixel. Textures are sampled at their own rate. */
+static bool are_surfaces_lit(const struct drawing *d)
+{
+    return d->stages && d->stages->surfaces && !d->pass->attributes.textures.of;
+}
+
+static bool find_blended(const struct drawing *d, uint32_t number, struct zr_tile *tile, struct blended *out)
+{
+    *out = (struct blended){NULL, NULL};
+    if (are_surfaces_lit(d)) return zr_layer_surfaces_find(&d->pass->tiles, number, d->cancel, tile, &out->surfaces);
+    return zr_layers_blend(&d->pass->tiles, number, d->cancel, tile, !d->stages, &out->layers);
+}
+
 /* Lights and averages a tile. Returns as light_layers. */
 static uint32_t light_tile(const struct drawing *d, uint32_t number, const struct zr_tile *tile,
-                           struct zr_layers *blended, struct lit_room *room)
+                           const struct blended *blended, struct lit_room *room)
 {
     const struct zr_sample_stages *stages = d->stages;
     const struct place place = place_of(d, tile);
@@ -266,9 +306,13 @@ static uint32_t light_tile(const struct drawing *d, uint32_t number, const struc
         if (stages->edges) zr_edges_mark_empty(stages->edges, number);
         return 0;
     }
-    if (stages->surfaces && !blended && !d->pass->attributes.textures.of) {
+    if (are_surfaces_lit(d) && !blended->surfaces) {
         light_surfaces(d, number, tile, room);
         return 0;
+    }
+    if (blended->surfaces && d->paint->count(tile) == 0) {
+        if (stages->edges) zr_edges_mark_empty(stages->edges, number);
+        return light_layer_surfaces(d, tile, true, blended->surfaces, room);
     }
     const struct zr_gbuffer samples = gbuffer_of(lit, tile, &d->pass->attributes.textures);
     d->paint->samples(&d->pass->geometry, &d->pass->attributes, tile, &samples);
@@ -277,7 +321,8 @@ static uint32_t light_tile(const struct drawing *d, uint32_t number, const struc
         zr_occlusion_samples_of(d->isa)(stages->occlusion, &samples, d->side, tile->x, tile->y, lit->occlusion);
     float *const color[3] = {lit->color[0], lit->color[1], lit->color[2]};
     zr_linear_light_of(d->isa)(stages->lighting, &samples, stages->occlusion ? lit->occlusion : NULL, color);
-    if (blended) return light_layers(d, tile, &place, blended, lit);
+    if (blended->surfaces) return light_layer_surfaces(d, tile, false, blended->surfaces, room);
+    if (blended->layers) return light_layers(d, tile, &place, blended->layers, lit);
     average_light(d, &place, lit);
     return 0;
 }
@@ -294,14 +339,14 @@ static void draw_range(void *context, size_t begin, size_t end)
     } room;
     uint64_t covered = 0;
     for (size_t number = begin; number < end; number++) {
-        struct zr_layers *blended;
+        struct blended blended;
         if (!zr_tile_find_visible(&d->pass->tiles, (uint32_t)number, d->cancel, &tile) ||
-            !zr_layers_blend(&d->pass->tiles, (uint32_t)number, d->cancel, &tile, !d->stages, &blended))
+            !find_blended(d, (uint32_t)number, &tile, &blended))
             return;
         if (d->stages)
-            covered += light_tile(d, (uint32_t)number, &tile, blended, &room.lit);
+            covered += light_tile(d, (uint32_t)number, &tile, &blended, &room.lit);
         else
-            average_bytes(d, &tile, blended, room.words, &covered);
+            average_bytes(d, &tile, blended.layers, room.words, &covered);
         if (!tile.is_empty) covered += d->paint->count(&tile);
     }
     atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);

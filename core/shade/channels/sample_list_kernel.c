@@ -108,6 +108,10 @@ ZR_INLINED void evaluate(const struct listed *l, const struct zr_sample_list *li
         if (mask & ZR_VARY_COLOR) put3(to->base, i, values_at(l, &in, zr_first_plane(mask, ZR_VARY_COLOR), count, w));
         put3(to->normal, i, zr_normalize_v(values_at(l, &in, zr_first_plane(mask, ZR_VARY_NORMAL), count, w)));
         put3(to->point, i, values_at(l, &in, zr_first_plane(mask, ZR_VARY_POINT), count, w));
+        if (mask & ZR_VARY_OPACITY) {
+            const zr_vf opacity = value_at(l, &in, zr_first_plane(mask, ZR_VARY_OPACITY), count) * w;
+            zr_vf_store(to->opacity + i, zr_vf_min(zr_vf_max(opacity, zr_vf_set(0.0f)), zr_vf_set(1.0f)));
+        }
         if (to->material) zr_vi_store(to->material + i, zr_vi_gather(ZR_ALL_LANES, l->material, in.part));
     }
 }
@@ -117,14 +121,21 @@ __attribute__((flatten)) void ZR_KERNEL(zr_samples_at)(const struct zr_geometry 
                                                        const struct zr_sample_list *list, struct zr_sample_room *room,
                                                        const struct zr_gbuffer *to)
 {
-    enum { PLAIN = ZR_VARY_NORMAL | ZR_VARY_POINT | ZR_VARY_OVER_W, COLORED = PLAIN | ZR_VARY_COLOR };
+    enum {
+        PLAIN = ZR_VARY_NORMAL | ZR_VARY_POINT | ZR_VARY_OVER_W,
+        COLORED = PLAIN | ZR_VARY_COLOR,
+        BLENDED = COLORED | ZR_VARY_OPACITY
+    };
     struct listed *l = (struct listed *)(void *)room->bytes;
     if (list->count == 0) return;
     l->s.geometry = geometry;
     l->s.attributes = attributes;
     l->s.draw = &geometry->draws[0];
     find_parts(list, l);
-    if (to->base[0]) {
+    if (to->opacity) {
+        set_up(l, BLENDED);
+        evaluate(l, list, BLENDED, to);
+    } else if (to->base[0]) {
         set_up(l, COLORED);
         evaluate(l, list, COLORED, to);
     } else {

@@ -33,6 +33,7 @@ struct zr_gbuffer {
     float *normal[3];   /* unit, of the visible side */
     float *point[3];    /* visible point, from the eye (zr_camera_eye); with parallel rays, from the origin of eye
                          * space */
+    float *opacity;     /* or NULL */
     const struct zr_gbuffer_textures *textures; /* valid for samples of materials with textures; NULL: unused */
 };
 

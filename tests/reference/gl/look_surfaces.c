@@ -3,15 +3,14 @@
 #include <math.h>
 #include <string.h>
 
-#include "support/surface_rule.h"
 #include "scene/picture.h"
+#include "support/surface_rule.h"
 
 enum { SIDE = SURFACE_SIDE, SAMPLES = SURFACE_SAMPLES };
 
 bool look_surfaces_are_lit(const struct zr_scene *scene)
 {
-    return scene->picture->side == SIDE && scene->texture_count == 0 &&
-           !zr_any_is_xray(scene->materials, scene->material_count);
+    return scene->picture->side == SIDE && scene->texture_count == 0;
 }
 
 /* ---- samples ---- */
@@ -174,9 +173,9 @@ static void spread(const struct points *points, size_t count, const float *light
         memcpy(samples + 4 * i, points->of[i] == UINT32_MAX ? none : light + 4 * (size_t)points->of[i], sizeof none);
 }
 
-bool look_surfaces_draw(const struct look_twin *twin, const struct zr_scene *large,
-                        const struct reference_arrays *arrays, float *samples, uint8_t *gaps,
-                        struct reference_error *error)
+/* Draws the surfaces of all batches, of which the nearest is seen. */
+static bool draw_seen(const struct look_twin *twin, const struct zr_scene *large, const struct reference_arrays *arrays,
+                      float *samples, uint8_t *gaps, struct reference_error *error)
 {
     struct told told = {.width = large->views[0].width, .height = large->views[0].height};
     const size_t count = (size_t)told.width * told.height;
@@ -195,4 +194,95 @@ bool look_surfaces_draw(const struct look_twin *twin, const struct zr_scene *lar
         return false;
     spread(&points, count, light, samples);
     return true;
+}
+
+/* ---- x-rays ---- */
+
+/* Lays light with its opacity over the samples. */
+static void blend(const float *over, size_t count, float *samples)
+{
+    for (size_t i = 0; i < count; i++) {
+        const float *o = over + 4 * i, rest = 1.0f - o[3];
+        float *s = samples + 4 * i;
+        for (int k = 0; k < 3; k++)
+            s[k] = o[k] * o[3] + s[k] * rest;
+        s[3] = o[3] + s[3] * rest;
+    }
+}
+
+/* Surfaces that are as opaque as this have the mean of the opacities at their samples. */
+static const float steep = 0.35f, undecided = 1e-4f;
+
+/* `corner`: the upper left sample of a pixel. `own`: light of each sample. */
+static void mean_in_pixel(uint32_t width, uint32_t corner, const float *own, float *over, uint8_t *gaps)
+{
+    double sum = 0.0;
+    int covered = 0;
+    for (uint32_t k = 0; k < SAMPLES; k++) {
+        const size_t at = corner + k / SIDE * width + k % SIDE;
+        if (over[4 * at + 3] == 0.0f) continue;
+        if (fabsf(over[4 * at + 3] - steep) < undecided) gaps[corner] = 1;
+        if (over[4 * at + 3] <= steep) return;
+        sum += (double)own[4 * at + 3];
+        covered++;
+    }
+    for (uint32_t k = 0; k < SAMPLES && covered > 0; k++) {
+        const size_t at = corner + k / SIDE * width + k % SIDE;
+        if (over[4 * at + 3] > 0.0f) over[4 * at + 3] = (float)(sum / covered);
+    }
+}
+
+/* Draws the surfaces of one batch. */
+static bool draw_xray(const struct look_twin *twin, const struct zr_scene *large, const struct reference_arrays *one,
+                      float *over, uint8_t *gaps, struct reference_error *error)
+{
+    const uint32_t width = large->views[0].width, height = large->views[0].height;
+    float *own = zr_arena_alloc(twin->arena, (size_t)width * height, 4 * sizeof *own);
+    if (!own || !look_twin_light_samples(twin, large, one, own, gaps, error) ||
+        !draw_seen(twin, large, one, over, gaps, error))
+        return false;
+    for (uint32_t y = 0; y < height; y += SIDE)
+        for (uint32_t x = 0; x < width; x += SIDE)
+            mean_in_pixel(width, y * width + x, own, over, gaps);
+    return true;
+}
+
+/* Draws each triangle or polygon by itself: its surfaces are those of its own samples alone. */
+static bool draw_xrays(const struct look_twin *twin, const struct zr_scene *large,
+                       const struct reference_arrays *arrays, float *samples, uint8_t *gaps,
+                       struct reference_error *error)
+{
+    const size_t count = (size_t)large->views[0].width * large->views[0].height;
+    float *over = zr_arena_alloc(twin->arena, count, 4 * sizeof *over);
+    uint8_t *own_gaps = zr_arena_alloc(twin->arena, count, sizeof *own_gaps);
+    if (!over || !own_gaps) return false;
+    memset(samples, 0, 4 * count * sizeof *samples);
+    memset(gaps, 0, count);
+    for (uint32_t b = 0; b < arrays->batch_count; b++) {
+        const struct reference_batch *all = &arrays->batches[b];
+        const uint32_t corners = all->mode == REFERENCE_TRIANGLES ? 3 : all->count;
+        for (uint32_t k = 0; k < all->count; k += corners) {
+            struct reference_batch batch = *all;
+            struct reference_arrays one = *arrays;
+            batch.first += k;
+            batch.count = corners;
+            one.batches = &batch;
+            one.batch_count = 1;
+            one.blended = false;
+            if (!draw_xray(twin, large, &one, over, own_gaps, error)) return false;
+            blend(over, count, samples);
+            for (size_t i = 0; i < count; i++)
+                gaps[i] |= own_gaps[i];
+        }
+    }
+    return true;
+}
+
+bool look_surfaces_draw(const struct look_twin *twin, const struct zr_scene *large,
+                        const struct reference_arrays *arrays, float *samples, uint8_t *gaps,
+                        struct reference_error *error)
+{
+    if (zr_any_is_xray(large->materials, large->material_count))
+        return draw_xrays(twin, large, arrays, samples, gaps, error);
+    return draw_seen(twin, large, arrays, samples, gaps, error);
 }

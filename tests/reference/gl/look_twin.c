@@ -293,10 +293,9 @@ static bool show_backs(struct zr_arena *arena, struct zr_scene *scene)
     return true;
 }
 
-/* The program lights each sample. */
-static bool light_samples(const struct look_twin *twin, const struct zr_scene *large,
-                          const struct reference_arrays *arrays, float *samples, uint8_t *gaps,
-                          struct reference_error *error)
+bool look_twin_light_samples(const struct look_twin *twin, const struct zr_scene *large,
+                             const struct reference_arrays *arrays, float *samples, uint8_t *gaps,
+                             struct reference_error *error)
 {
     struct look_corners corners;
     if (!look_corners_make(twin->arena, large, arrays, &corners)) return false;
@@ -324,7 +323,7 @@ static bool draw_samples(const struct look_twin *twin, const struct zr_scene *la
         return false;
     batches.arrays.blended = zr_any_is_xray(large->materials, large->material_count);
     if (!reference_resize(twin->reference, width, height, batches.parity_faces > 0, error) ||
-        !(look_surfaces_are_lit(twin->scene) ? look_surfaces_draw : light_samples)(twin, large, &batches.arrays,
+        !(look_surfaces_are_lit(twin->scene) ? look_surfaces_draw : look_twin_light_samples)(twin, large, &batches.arrays,
                                                                                    samples, gaps, error))
         return false;
     batches_mark_thin(&batches, width, height, gaps);

@@ -50,6 +50,11 @@ bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, 
 /* All that it has as uniforms of the whole picture. They stand until the next call. */
 enum { LOOK_UNIFORMS = 19 };
 const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin);
+
+/* Draws four floats per sample, each lit by itself, as look_surfaces_draw. */
+bool look_twin_light_samples(const struct look_twin *twin, const struct zr_scene *large,
+                             const struct reference_arrays *arrays, float *samples, uint8_t *gaps,
+                             struct reference_error *error);
 enum { LOOK_LAMPS_MAX = 64 };
 
 #endif

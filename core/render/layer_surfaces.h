@@ -1,0 +1,69 @@
+/* layer_surfaces.h - render: blended primitives of a tile with 16 samples a pixel, each lit once in each pixel.
+ *
+ * A surface is what a primitive covers of a pixel: a mask of samples. It is lit at their middle, without occlusion.
+ * X-rays and glass change their opacity quickly where they are seen edge-on: an opacity above 0.35 is the mean of those
+ * at the samples. The surfaces of a pixel are ordered by the depths of their middles, and at equal depth the earlier
+ * primitive is in front. Each is laid over its samples, from the farthest to the nearest. So where two cross within a
+ * pixel, one is in front in all of it.
+ * Exact:  + - * / in one order: every instruction set and thread count gives the same bytes.
+ * Source: Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", 1984.
+ */
+#ifndef ZR_LAYER_SURFACES_H
+#define ZR_LAYER_SURFACES_H
+
+#include "base/cancel.h"
+#include "base/isa.h"
+#include "effects/surfaces.h"
+#include "render/layers.h"
+#include "shade/lights/lighting.h"
+
+struct zr_layer_surface {
+    uint32_t owner;
+    uint16_t pixel; /* row * ZR_SURFACES_COLUMNS + column in the tile */
+    uint16_t mask;  /* sample i, of column i % 4 and row i / 4, is bit i */
+    float depth;    /* of the middle, along the view axis: larger is nearer */
+    float color[4]; /* linear light, and opacity */
+};
+
+/* Surfaces of a tile, in the order of their primitives. */
+struct zr_layer_surfaces {
+    struct zr_layer_surfaces *next; /* in the pool */
+    uint32_t count, room;
+    struct zr_layer_surface *at;
+    uint64_t *order;                        /* surface in the lower half; those of a pixel from the nearest on */
+    uint32_t first[ZR_SURFACES_PIXELS + 1]; /* of a pixel, in `order` */
+};
+
+/* What lights them. */
+struct zr_layer_light {
+    const struct zr_tile_source *tiles;
+    const struct zr_linear_lighting *lighting;
+    bool has_xrays; /* or glass */
+};
+
+/* Lists the blended surfaces of a tile in front of its samples. *out is from the pool of `tiles`, and NULL if there are
+ * none. Returns false if cancelled or out of memory. */
+bool zr_layer_surfaces_find(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
+                            struct zr_tile *tile, struct zr_layer_surfaces **out);
+
+/* Lights and orders them. `list`, `room`: working memory. If cancelled, some are neither. */
+void zr_layer_surfaces_light(const struct zr_layer_light *light, const struct zr_tile *tile,
+                             const struct zr_cancel *cancel, struct zr_surfaces *list, struct zr_sample_room *room,
+                             struct zr_layer_surfaces *surfaces);
+
+void zr_layer_surfaces_give(const struct zr_tile_source *tiles, struct zr_layer_surfaces *surfaces);
+
+/* Lists the middles of `count` surfaces, in samples of the window. A kernel. */
+typedef void zr_layer_surfaces_list_fn(const struct zr_layer_surface *at, uint32_t count, const struct zr_tile *tile,
+                                       struct zr_sample_list *list);
+
+/* Blends the surfaces of row `row` of pixels over its samples, and writes the means: out[0..2] times opacity, and
+ * out[3]. `color`: of the tile's samples, in rows of ZR_TILE_STRIDE, or NULL if the tile shows nothing else. Returns
+ * how many samples only they cover. A kernel. */
+typedef uint32_t zr_layer_surfaces_blend_fn(const struct zr_layer_surfaces *surfaces, const struct zr_tile *tile,
+                                            int32_t row, const float *const color[3], float *const out[4]);
+
+ZR_KERNEL_TABLE(zr_layer_surfaces_list_fn, zr_layer_surfaces_list)
+ZR_KERNEL_TABLE(zr_layer_surfaces_blend_fn, zr_layer_surfaces_blend)
+
+#endif
