@@ -60,6 +60,13 @@ static inline struct zr_surface_middle zr_surface_middle_of(uint32_t mask)
                                       zr_surface_middle_along(mask, 0xF0F0u, 0xFF00u)};
 }
 
+/* Returns the sample of a mask that is nearest to the middle of the pixel; the first of several. */
+static inline uint32_t zr_surface_nearest_of(uint32_t mask)
+{
+    const uint32_t inner = mask & 0x0660u, outer = mask & 0x6996u; /* then the four corners */
+    return (uint32_t)__builtin_ctz(inner ? inner : outer ? outer : mask);
+}
+
 /* Which samples are near each other. */
 struct zr_surface_rule {
     struct zr_pixel_scale scale; /* of the picture's pixels */

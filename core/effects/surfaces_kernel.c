@@ -29,13 +29,6 @@ static inline uint32_t owned_by(const uint32_t *owners, uint32_t owner)
     return bits;
 }
 
-/* Returns the sample of a mask that is nearest to the middle of the pixel; the first of several. */
-static inline uint32_t middle_of(uint32_t mask)
-{
-    const uint32_t inner = mask & 0x0660u, outer = mask & 0x6996u; /* then the four corners */
-    return (uint32_t)zr_lowest_bit(inner ? inner : outer ? outer : mask);
-}
-
 /* A pixel: place of its first sample in the tile, and that sample in the window. */
 struct pixel {
     uint32_t at;
@@ -48,7 +41,8 @@ static inline void find_in_pixel(const uint32_t *owners, const struct pixel *pix
     const uint32_t *own = owners + pixel->at, lead = list->count;
     uint32_t left = owned_by(own, 0) ^ 0xFFFFu;
     while (left) {
-        const uint32_t middle = middle_of(left), owner = own[middle / SIDE * ZR_TILE_STRIDE + middle % SIDE];
+        const uint32_t middle = zr_surface_nearest_of(left),
+                       owner = own[middle / SIDE * ZR_TILE_STRIDE + middle % SIDE];
         const uint32_t same = owned_by(own, owner), count = (uint32_t)__builtin_popcount(same), i = list->count++;
         const struct zr_surface_middle at = zr_surface_middle_of(same);
         list->x[i] = pixel->x + at.x;

@@ -24,6 +24,7 @@ struct zr_fragment_marks {
     uint64_t *rows;
     void (*turn)(struct zr_fragment_marks *marks, uint32_t owner); /* sets the members above for the owner */
     uint32_t stride;                                               /* places of a row; 64 of them have bits */
+    float *depths;                                                 /* of the marked places, or NULL */
 };
 
 /* Marks up to 64 places of one row, from `first` on. */
@@ -73,9 +74,10 @@ static inline const uint64_t *zr_fragments_of(const struct zr_fragments *fragmen
 /* Counts a fragment, stores it in its list, or marks its place. */
 static inline void zr_fragments_put(struct zr_fragments *fragments, uint32_t place, float depth, uint32_t owner)
 {
-    if (fragments->marks)
+    if (fragments->marks) {
         zr_fragment_marks_put(fragments->marks, place, 1, owner);
-    else if (fragments->is_filled_in)
+        if (fragments->marks->depths) fragments->marks->depths[place] = depth;
+    } else if (fragments->is_filled_in)
         fragments->keys[fragments->ends[place]++] = zr_fragment_key(depth, owner);
     else
         fragments->ends[place + 1]++;

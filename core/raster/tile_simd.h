@@ -49,7 +49,9 @@ static inline void zr_tile_list_v(struct zr_tile *tile, size_t first, zr_vm insi
     uint32_t bits = zr_vm_bits(zr_vf_lt_where(inside, z, zr_vf_load(tile->depth + first)));
     if (!bits) return;
     if (tile->fragments->marks) {
+        float *to = tile->fragments->marks->depths;
         zr_fragment_marks_put(tile->fragments->marks, (uint32_t)first, bits, owner);
+        if (to) zr_vf_store(to + first, zr_vf_select(zr_vm_of(bits), z, zr_vf_load(to + first)));
         return;
     }
     zr_vf_store(depths, z);

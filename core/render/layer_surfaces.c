@@ -41,6 +41,7 @@ struct marking {
     uint32_t last;  /* primitive */
     bool any_twice; /* primitives may have come twice, or out of order */
     uint64_t rows[ZR_TILE_SIZE];
+    _Alignas(64) float depths[ZR_LAYER_FLOATS];
 };
 
 /* Ensures room for the surfaces of one more primitive. What is given up is no larger than what is taken. */
@@ -57,6 +58,7 @@ static bool make_room(struct zr_layers_pool *pool, struct zr_layer_surfaces *s)
     if (s->count > 0) memcpy(at, s->at, s->count * sizeof *at);
     s->at = at;
     s->order = order;
+    s->spare = NULL;
     s->room = room;
     return true;
 }
@@ -69,14 +71,20 @@ static uint32_t mask_of(const uint64_t *rows, int column)
     return mask;
 }
 
-/* Adds the surfaces of a row of pixels. */
-static void put_row(const uint64_t *rows, int32_t y, uint32_t owner, struct zr_layer_surfaces *out)
+/* Adds the surfaces of row y of pixels. */
+static void put_row(const struct marking *m, int32_t y, uint32_t owner, struct zr_layer_surfaces *out)
 {
+    const uint64_t *rows = m->rows + y * SIDE;
     uint64_t any = rows[0] | rows[1] | rows[2] | rows[3];
     while (any) {
-        const int column = __builtin_ctzll(any) / SIDE * SIDE;
-        out->at[out->count++] = (struct zr_layer_surface){
-            .owner = owner, .pixel = (uint16_t)(y * COLUMNS + column / SIDE), .mask = (uint16_t)mask_of(rows, column)};
+        const int32_t column = __builtin_ctzll(any) / SIDE * SIDE;
+        const uint32_t mask = mask_of(rows, column);
+        const int32_t sample = (int32_t)zr_surface_nearest_of(mask);
+        const int32_t place = (y * SIDE + sample / SIDE) * ZR_TILE_STRIDE + column + sample % SIDE;
+        out->at[out->count++] = (struct zr_layer_surface){.owner = owner,
+                                                          .pixel = (uint16_t)(y * COLUMNS + column / SIDE),
+                                                          .mask = (uint16_t)mask,
+                                                          .depth = m->depths[place]};
         any &= ~(UINT64_C(0xF) << column);
     }
 }
@@ -87,7 +95,7 @@ static void turn(struct zr_fragment_marks *marks, uint32_t owner)
     struct marking *m = (struct marking *)marks; /* its first member */
     if (marks->begin > 0 && make_room(m->pool, m->out))
         for (int32_t y = 0; y < COLUMNS; y++)
-            put_row(m->rows + y * SIDE, y, marks->begin, m->out);
+            put_row(m, y, marks->begin, m->out);
     memset(m->rows, 0, sizeof m->rows);
     m->any_twice |= owner > 0 && owner <= m->last;
     m->last = owner;
@@ -95,23 +103,75 @@ static void turn(struct zr_fragment_marks *marks, uint32_t owner)
     marks->end = owner + 1;
 }
 
-/* Joins the surfaces of a primitive in a pixel, and puts all in the order of primitives: some algorithms draw all of them
- * row by row. */
-static void join_parts(struct zr_layer_surfaces *s)
+/* ---- order ---- */
+
+typedef uint64_t key_fn(const struct zr_layer_surface *surface);
+
+/* Depths are not negative: their bits have their order. */
+static uint64_t by_depth(const struct zr_layer_surface *surface)
 {
-    uint64_t *keys = s->order;
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < s->count; i++)
-        keys[i] = (uint64_t)s->at[i].owner << 32 | (uint32_t)s->at[i].pixel << 16 | s->at[i].mask;
-    zr_fragment_keys_sort(keys, s->count);
-    for (uint32_t i = 0; i < s->count; i++)
-        if (count > 0 && keys[i] >> 16 == keys[i - 1] >> 16)
-            s->at[count - 1].mask |= (uint16_t)keys[i];
-        else
-            s->at[count++] = (struct zr_layer_surface){
-                .owner = (uint32_t)(keys[i] >> 32), .pixel = (uint16_t)(keys[i] >> 16), .mask = (uint16_t)keys[i]};
-    s->count = count;
+    uint32_t bits;
+    memcpy(&bits, &surface->depth, sizeof bits);
+    return ZR_MUTANT(layers_front_first, bits, UINT32_MAX - bits);
 }
+
+static uint64_t by_owner(const struct zr_layer_surface *surface)
+{
+    return surface->owner;
+}
+
+/* Sorts the surfaces by pixels, and those of each pixel by a key of 32 bits. */
+static void put_in_order(struct zr_layer_surfaces *s, key_fn *key, const struct zr_cancel *cancel)
+{
+    uint32_t next[PIXELS] = {0}, begin = 0;
+    for (uint32_t i = 0; i < s->count; i++)
+        next[s->at[i].pixel]++;
+    for (uint32_t pixel = 0; pixel < PIXELS; pixel++) {
+        s->first[pixel] = begin;
+        begin += next[pixel];
+        next[pixel] = s->first[pixel];
+    }
+    s->first[PIXELS] = begin;
+    for (uint32_t i = 0; i < s->count; i++)
+        s->order[next[s->at[i].pixel]++] = key(&s->at[i]) << 32 | i;
+    for (uint32_t pixel = 0; pixel < PIXELS && !zr_is_cancelled(cancel); pixel++)
+        zr_fragment_keys_sort(s->order + s->first[pixel], s->first[pixel + 1] - s->first[pixel]);
+}
+
+/* ---- primitives that come more than once ---- */
+
+static bool join(const struct zr_layer_surface *part, struct zr_layer_surface *whole)
+{
+    if (part->pixel != whole->pixel || part->owner != whole->owner) return false;
+    whole->mask |= part->mask;
+    if (part->mask >> zr_surface_nearest_of(whole->mask) & 1) whole->depth = part->depth;
+    return true;
+}
+
+/* Joins the surfaces of a primitive in a pixel: some algorithms draw all primitives row by row. Puts those of a pixel in
+ * the order of primitives. Returns false if out of memory. */
+static bool join_parts(struct zr_layers_pool *pool, const struct zr_cancel *cancel, struct zr_layer_surfaces *s)
+{
+    const uint32_t all = s->count;
+    if (!s->spare) {
+        pthread_mutex_lock(&pool->lock);
+        s->spare = zr_arena_alloc(pool->arena, s->room, sizeof *s->spare);
+        pthread_mutex_unlock(&pool->lock);
+    }
+    if (!s->spare) return false;
+    put_in_order(s, by_owner, cancel);
+    s->count = 0;
+    for (uint32_t i = 0; i < all; i++) {
+        const struct zr_layer_surface *part = &s->at[(uint32_t)s->order[i]];
+        if (s->count == 0 || !join(part, &s->spare[s->count - 1])) s->spare[s->count++] = *part;
+    }
+    struct zr_layer_surface *at = s->at;
+    s->at = s->spare;
+    s->spare = at;
+    return true;
+}
+
+/* ---- surfaces of a tile ---- */
 
 bool zr_layer_surfaces_find(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
                             struct zr_tile *tile, struct zr_layer_surfaces **out)
@@ -124,23 +184,22 @@ bool zr_layer_surfaces_find(const struct zr_tile_source *tiles, uint32_t number,
     struct marking marking = {.marks = {.turn = turn, .stride = ZR_TILE_STRIDE}, .pool = pool, .out = surfaces};
     struct zr_fragments fragments = {.marks = &marking.marks};
     marking.marks.rows = marking.rows;
+    marking.marks.depths = marking.depths;
     const bool is_complete = zr_layers_put_blended(tiles, number, cancel, tile, &fragments);
     turn(&marking.marks, 0);
-    if (marking.any_twice) join_parts(surfaces);
+    const bool are_joined = !marking.any_twice || join_parts(pool, cancel, surfaces);
     if (surfaces->count > 0)
         *out = surfaces;
     else
         zr_layer_surfaces_give(tiles, surfaces);
-    return is_complete && zr_arena_ok(pool->arena);
+    return is_complete && are_joined && zr_arena_ok(pool->arena);
 }
 
 /* ---- light ---- */
 
 static void keep_light(const struct zr_surfaces *list, struct zr_layer_surface *at)
 {
-    const float *depths = list->floats[8]; /* eye space: z */
     for (uint32_t i = 0; i < list->list.count; i++) {
-        at[i].depth = depths[i];
         for (int k = 0; k < 3; k++)
             at[i].color[k] = list->color[k][i];
         at[i].color[3] = list->occlusion[i];
@@ -216,36 +275,6 @@ static void light_steep(const struct zr_layer_light *light, const struct zr_tile
     }
 }
 
-/* ---- order ---- */
-
-/* Returns bits in the order of the distances, of which the upper half is the float. */
-static uint64_t key_of(float depth, uint32_t number)
-{
-    const float distance = ZR_MUTANT(layers_front_first, -depth, depth);
-    uint32_t bits;
-    memcpy(&bits, &distance, sizeof bits);
-    bits ^= bits >> 31 ? UINT32_MAX : UINT32_C(1) << 31;
-    return (uint64_t)bits << 32 | number;
-}
-
-/* Sorts the surfaces by pixels, and those of each pixel by distance. */
-static void put_in_order(struct zr_layer_surfaces *s, const struct zr_cancel *cancel)
-{
-    uint32_t next[PIXELS] = {0}, begin = 0;
-    for (uint32_t i = 0; i < s->count; i++)
-        next[s->at[i].pixel]++;
-    for (uint32_t pixel = 0; pixel < PIXELS; pixel++) {
-        s->first[pixel] = begin;
-        begin += next[pixel];
-        next[pixel] = s->first[pixel];
-    }
-    s->first[PIXELS] = begin;
-    for (uint32_t i = 0; i < s->count; i++)
-        s->order[next[s->at[i].pixel]++] = key_of(s->at[i].depth, i);
-    for (uint32_t pixel = 0; pixel < PIXELS && !zr_is_cancelled(cancel); pixel++)
-        zr_fragment_keys_sort(s->order + s->first[pixel], s->first[pixel + 1] - s->first[pixel]);
-}
-
 void zr_layer_surfaces_light(const struct zr_layer_light *light, const struct zr_tile *tile,
                              const struct zr_cancel *cancel, struct zr_surfaces *list, struct zr_sample_room *room,
                              struct zr_layer_surfaces *surfaces)
@@ -255,5 +284,5 @@ void zr_layer_surfaces_light(const struct zr_layer_light *light, const struct zr
         light_listed(light, tile, list, room, surfaces->at + i, left < ZR_SAMPLES_LISTED ? left : ZR_SAMPLES_LISTED);
     }
     if (light->has_xrays) light_steep(light, tile, cancel, list, room, surfaces);
-    put_in_order(surfaces, cancel);
+    put_in_order(surfaces, by_depth, cancel);
 }

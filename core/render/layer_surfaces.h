@@ -2,8 +2,8 @@
  *
  * A surface is what a primitive covers of a pixel: a mask of samples. It is lit at their middle, without occlusion.
  * X-rays and glass change their opacity quickly where they are seen edge-on: an opacity above 0.35 is the mean of those
- * at the samples. The surfaces of a pixel are ordered by the depths of their middles, and at equal depth the earlier
- * primitive is in front. Each is laid over its samples, from the farthest to the nearest. So where two cross within a
+ * at the samples. The surfaces of a pixel are ordered by the depths of their samples nearest to its middle, and at equal
+ * depth the earlier primitive is in front. Each is laid over its samples, from the farthest to the nearest. So where two cross within a
  * pixel, one is in front in all of it.
  * Exact:  + - * / in one order: every instruction set and thread count gives the same bytes.
  * Source: Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", 1984.
@@ -21,7 +21,7 @@ struct zr_layer_surface {
     uint32_t owner;
     uint16_t pixel; /* row * ZR_SURFACES_COLUMNS + column in the tile */
     uint16_t mask;  /* sample i, of column i % 4 and row i / 4, is bit i */
-    float depth;    /* of the middle, along the view axis: larger is nearer */
+    float depth;    /* of the sample nearest to the middle of the pixel */
     float color[4]; /* linear light, and opacity */
 };
 
@@ -29,7 +29,7 @@ struct zr_layer_surface {
 struct zr_layer_surfaces {
     struct zr_layer_surfaces *next; /* in the pool */
     uint32_t count, room;
-    struct zr_layer_surface *at;
+    struct zr_layer_surface *at, *spare;    /* spare: NULL until it is needed */
     uint64_t *order;                        /* surface in the lower half; those of a pixel from the nearest on */
     uint32_t first[ZR_SURFACES_PIXELS + 1]; /* of a pixel, in `order` */
 };
@@ -57,11 +57,11 @@ void zr_layer_surfaces_give(const struct zr_tile_source *tiles, struct zr_layer_
 typedef void zr_layer_surfaces_list_fn(const struct zr_layer_surface *at, uint32_t count, const struct zr_tile *tile,
                                        struct zr_sample_list *list);
 
-/* Blends the surfaces of row `row` of pixels over its samples, and writes the means: out[0..2] times opacity, and
- * out[3]. `color`: of the tile's samples, in rows of ZR_TILE_STRIDE, or NULL if the tile shows nothing else. Returns
- * how many samples only they cover. A kernel. */
+/* Blends the surfaces of a pixel of the tile over its samples. out[0..2]: their mean times opacity, out[3]: opacity.
+ * `color`: of the tile's samples, in rows of ZR_TILE_STRIDE, or NULL if the tile shows nothing else. Returns how many
+ * samples only the surfaces cover. A kernel. */
 typedef uint32_t zr_layer_surfaces_blend_fn(const struct zr_layer_surfaces *surfaces, const struct zr_tile *tile,
-                                            int32_t row, const float *const color[3], float *const out[4]);
+                                            uint32_t pixel, const float *const color[3], float out[4]);
 
 ZR_KERNEL_TABLE(zr_layer_surfaces_list_fn, zr_layer_surfaces_list)
 ZR_KERNEL_TABLE(zr_layer_surfaces_blend_fn, zr_layer_surfaces_blend)

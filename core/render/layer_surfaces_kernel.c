@@ -55,27 +55,23 @@ static inline float mean_of(const float samples[SAMPLES])
 }
 
 uint32_t ZR_KERNEL(zr_layer_surfaces_blend)(const struct zr_layer_surfaces *surfaces, const struct zr_tile *tile,
-                                            int32_t row, const float *const color[3], float *const out[4])
+                                            uint32_t pixel, const float *const color[3], float out[4])
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
-    uint32_t alone = 0;
-    for (int32_t x = 0; x < tile->width / SIDE; x++) {
-        const uint32_t pixel = (uint32_t)(row * COLUMNS + x);
-        uint32_t free = 0;
-        float samples[4][SAMPLES];
-        for (uint32_t i = 0; i < SAMPLES; i += ZR_LANES) {
-            const size_t at = ((size_t)row * SIDE + i / SIDE) * ZR_TILE_STRIDE + (size_t)x * SIDE + i % SIDE;
-            const zr_vm is_free = zr_vi_eq(zr_vi_load_patch(tile->owner + at, ZR_TILE_STRIDE), zr_vi_set(0));
-            zr_vf sum[4] = {zero, zero, zero, zr_vf_select(is_free, zero, one)};
-            free |= zr_vm_bits(is_free) << i;
-            if (color) load_colors(color, at, sum);
-            blend_lanes(surfaces, pixel, i, sum);
-            for (int k = 0; k < 4; k++)
-                zr_vf_store(samples[k] + i, sum[k]);
-        }
+    const size_t first = (size_t)(pixel / COLUMNS * SIDE) * ZR_TILE_STRIDE + pixel % COLUMNS * SIDE;
+    uint32_t free = 0;
+    float samples[4][SAMPLES];
+    for (uint32_t i = 0; i < SAMPLES; i += ZR_LANES) {
+        const size_t at = first + i / SIDE * ZR_TILE_STRIDE + i % SIDE;
+        const zr_vm is_free = zr_vi_eq(zr_vi_load_patch(tile->owner + at, ZR_TILE_STRIDE), zr_vi_set(0));
+        zr_vf sum[4] = {zero, zero, zero, zr_vf_select(is_free, zero, one)};
+        free |= zr_vm_bits(is_free) << i;
+        if (color) load_colors(color, at, sum);
+        blend_lanes(surfaces, pixel, i, sum);
         for (int k = 0; k < 4; k++)
-            out[k][x] = mean_of(samples[k]);
-        alone += (uint32_t)__builtin_popcount(free & masks_of(surfaces, pixel));
+            zr_vf_store(samples[k] + i, sum[k]);
     }
-    return alone;
+    for (int k = 0; k < 4; k++)
+        out[k] = mean_of(samples[k]);
+    return (uint32_t)__builtin_popcount(free & masks_of(surfaces, pixel));
 }

@@ -200,10 +200,15 @@ static uint32_t light_layer_surfaces(const struct drawing *d, const struct zr_ti
     const float *const color[3] = {room->tile.color[0], room->tile.color[1], room->tile.color[2]};
     uint32_t uncovered = 0;
     zr_layer_surfaces_light(&light, tile, d->cancel, &room->surfaces, &room->tile.room, blended);
-    for (uint32_t y = 0; y < place.height && !zr_is_cancelled(d->cancel); y++) {
-        const size_t at = (place.y + y) * to->stride + place.x;
-        float *const out[4] = {to->color[0] + at, to->color[1] + at, to->color[2] + at, to->cover + at};
-        uncovered += zr_layer_surfaces_blend_of(d->isa)(blended, tile, (int32_t)y, is_bare ? NULL : color, out);
+    for (uint32_t i = 0; i < place.height * place.width && !zr_is_cancelled(d->cancel); i++) {
+        const uint32_t x = i % place.width, y = i / place.width;
+        const size_t at = (place.y + y) * to->stride + place.x + x;
+        float out[4];
+        uncovered +=
+            zr_layer_surfaces_blend_of(d->isa)(blended, tile, y * ZR_SURFACES_COLUMNS + x, is_bare ? NULL : color, out);
+        for (int k = 0; k < 3; k++)
+            to->color[k][at] = out[k];
+        to->cover[at] = out[3];
     }
     zr_layer_surfaces_give(&d->pass->tiles, blended);
     return uncovered;
