@@ -16,6 +16,7 @@
 #include "raster/textbook/trace.h"
 #include "raster/tile.h"
 #include "render/frame_parts.h"
+#include "render/layer_surfaces.h"
 #include "render/layers.h"
 #include "render/lens.h"
 #include "render/picture.h"
@@ -88,6 +89,7 @@ enum {
     OCCLUSION_ARRAYS = 1,
     LINEAR_BYTES = 16,
     FRAGMENT_BYTES = 8,
+    LAYER_SURFACE_BYTES = sizeof(struct zr_layer_surface) + 8,
     EDGE_BYTES = 7196,
     CELL_BYTES = 8
 };
@@ -111,12 +113,20 @@ static bool may_hide_layers(const struct zr_scene *scene)
     return scene->base != NULL;
 }
 
+/* True if blended surfaces are lit once in a pixel (render/layer_surfaces.h). */
+static bool has_layer_surfaces(const struct zr_scene *scene)
+{
+    return scene->picture && scene->picture->is_linear && scene->picture->side == ZR_SURFACES_SIDE &&
+           scene->texture_count == 0;
+}
+
 /* Bytes of the fragments of an average tile; algorithms other than halfspace keep the fragments of the whole window. */
 static double bytes_of_layers(const struct zr_scene *scene, double samples, double kept)
 {
     const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
     if (kept < ZR_TILE_SIZE || may_hide_layers(scene) || scene->sections.count > 0) return 0.0;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) return kept * FRAGMENT_BYTES + samples * WORD_BYTES;
+    if (has_layer_surfaces(scene)) return kept / (ZR_SURFACES_SIDE * ZR_SURFACES_SIDE) / tiles * LAYER_SURFACE_BYTES;
     return (double)sizeof(struct zr_layers) + kept / tiles * FRAGMENT_BYTES;
 }
 
@@ -359,6 +369,9 @@ static void count_line_pairs(const struct zr_cost_sample *sample, double times, 
     counts[ZR_COST_DRAWN_CROSSING] = times * crossing_pairs(sample) * square(1.0 + sqrt(pixels / per_cell));
 }
 
+/* Cost of a sample of a surface that is lit once in a pixel, relative to a layer's. */
+static const double LAYER_SURFACE_TIMES = 0.25;
+
 static void count_fragments(const struct zr_cost_sample *sample, const struct passes *passes, double *counts)
 {
     const struct zr_scene *scene = sample->scene;
@@ -379,7 +392,8 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     counts[ZR_COST_CAP_TILE] = caps * fmax(drawn * pixels / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
     if (passes->samples > 0.0 && picture->is_linear && draws_lines(picture))
         counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
-    counts[ZR_COST_LAYER] = drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
+    const double layer_times = has_layer_surfaces(scene) ? LAYER_SURFACE_TIMES : 1.0;
+    counts[ZR_COST_LAYER] = layer_times * drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
     counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
@@ -391,7 +405,8 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     if (!zr_view_has_pixels(&scene->views[0], ZR_CHANNEL_COLOR)) return;
     /* Shading runs once per covered sample, and once per translucent fragment. */
     const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;
-    const double shaded = fmin(scale * sample->fragments, pixels) + scale * sample->layered;
+    const double layered = has_layer_surfaces(scene) ? sample->layered / side_squared : sample->layered;
+    const double shaded = fmin(scale * sample->fragments, pixels) + scale * layered;
     const double share = sample->fragments > 0.0 ? side_squared * shaded / sample->fragments : 0.0;
     counts[ZR_COST_LIT_SAMPLE] = share * sample->lit;
     counts[ZR_COST_LAMP_SAMPLE] = share * sample->lamps;

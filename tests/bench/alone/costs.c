@@ -105,7 +105,7 @@ static void run(struct zr_arena *arena, const struct zr_request *request, const 
 
 int main(int argc, char **argv)
 {
-    static const char *const looks[] = {"textbook", "studio", "technical", "metal"};
+    static const char *const looks[] = {"textbook", "studio", "technical", "metal", "xray"};
     static const struct {
         const char *width, *height;
     } sizes[] = {{"64", "48"}, {"640", "480"}, {"1920", "1080"}};
@@ -130,7 +130,7 @@ int main(int argc, char **argv)
             run(&arena, &request, argv[i], counts, shares);
         } else {
             request.format = ZR_FORMAT_UNKNOWN;
-            for (int k = 0; k < 15; k++) {
+            for (size_t k = 0; k < 3 * sizeof looks / sizeof *looks; k++) {
                 char name[512];
                 request.look = looks[k / 3];
                 request.width = sizes[k % 3].width;
