@@ -113,8 +113,8 @@ static bool may_hide_layers(const struct zr_scene *scene)
     return scene->base != NULL;
 }
 
-/* True if blended surfaces are lit once in a pixel (render/layer_surfaces.h). */
-static bool has_layer_surfaces(const struct zr_scene *scene)
+/* True if surfaces are lit once in a pixel (effects/surfaces.h, render/layer_surfaces.h). */
+static bool are_surfaces_lit(const struct zr_scene *scene)
 {
     return scene->picture && scene->picture->is_linear && scene->picture->side == ZR_SURFACES_SIDE &&
            scene->texture_count == 0;
@@ -126,7 +126,7 @@ static double bytes_of_layers(const struct zr_scene *scene, double samples, doub
     const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
     if (kept < ZR_TILE_SIZE || may_hide_layers(scene) || scene->sections.count > 0) return 0.0;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) return kept * FRAGMENT_BYTES + samples * WORD_BYTES;
-    if (has_layer_surfaces(scene)) return kept / (ZR_SURFACES_SIDE * ZR_SURFACES_SIDE) / tiles * LAYER_SURFACE_BYTES;
+    if (are_surfaces_lit(scene)) return kept / (ZR_SURFACES_SIDE * ZR_SURFACES_SIDE) / tiles * LAYER_SURFACE_BYTES;
     return (double)sizeof(struct zr_layers) + kept / tiles * FRAGMENT_BYTES;
 }
 
@@ -369,7 +369,10 @@ static void count_line_pairs(const struct zr_cost_sample *sample, double times, 
     counts[ZR_COST_DRAWN_CROSSING] = times * crossing_pairs(sample) * square(1.0 + sqrt(pixels / per_cell));
 }
 
-/* Cost of a sample of a surface that is lit once in a pixel, relative to a layer's. */
+/* Lit surfaces of a covered pixel, on average. */
+static const double SURFACES_A_PIXEL = 2.0;
+
+/* Cost of a sample of a blended surface that is lit once in a pixel, relative to a layer's. */
 static const double LAYER_SURFACE_TIMES = 0.25;
 
 static void count_fragments(const struct zr_cost_sample *sample, const struct passes *passes, double *counts)
@@ -392,7 +395,7 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     counts[ZR_COST_CAP_TILE] = caps * fmax(drawn * pixels / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
     if (passes->samples > 0.0 && picture->is_linear && draws_lines(picture))
         counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
-    const double layer_times = has_layer_surfaces(scene) ? LAYER_SURFACE_TIMES : 1.0;
+    const double layer_times = are_surfaces_lit(scene) ? LAYER_SURFACE_TIMES : 1.0;
     counts[ZR_COST_LAYER] = layer_times * drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
     counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
@@ -403,11 +406,11 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
         line_times(scene, passes) * fine_pixels(sample->width, sample->height) * scale * sample->fragments;
     count_line_pairs(sample, line_times(scene, passes), counts);
     if (!zr_view_has_pixels(&scene->views[0], ZR_CHANNEL_COLOR)) return;
-    /* Shading runs once per covered sample, and once per translucent fragment. */
+    /* Shading runs once per covered sample or surface of a pixel, and once per translucent fragment. */
     const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;
-    const double layered = has_layer_surfaces(scene) ? sample->layered / side_squared : sample->layered;
-    const double shaded = fmin(scale * sample->fragments, pixels) + scale * layered;
-    const double share = sample->fragments > 0.0 ? side_squared * shaded / sample->fragments : 0.0;
+    const double lit_a_pixel = are_surfaces_lit(scene) ? SURFACES_A_PIXEL : side_squared;
+    const double shaded = fmin(scale * sample->fragments, pixels) + scale * sample->layered;
+    const double share = sample->fragments > 0.0 ? lit_a_pixel * shaded / sample->fragments : 0.0;
     counts[ZR_COST_LIT_SAMPLE] = share * sample->lit;
     counts[ZR_COST_LAMP_SAMPLE] = share * sample->lamps;
     counts[ZR_COST_PLACED_LAMP_SAMPLE] = share * sample->placed_lamps;
