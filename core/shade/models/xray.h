@@ -3,7 +3,7 @@
  * The opacity a of a layer depends on the cosine c between its normal and the direction to the eye. It rises towards
  * grazing angles:
  *
- *     a = (0.10 + 0.80 (1 - |c|)^2) (1 - 0.4 x)
+ *     a = (0.15 + 0.76 (1 - |c|)^2) (1 - 0.4 x)
  *
  * x is that of the normal once turned towards the eye: walls that face left are denser, so that sides of a part differ.
  * Several layers transmit the product of all 1 - a, in any order. If all have one colour, the picture is that colour

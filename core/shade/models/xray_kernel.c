@@ -26,7 +26,7 @@ static inline zr_vf opacity_of(struct zr_vec3_v normal, zr_vf cosine)
 {
     const zr_vf along = zr_clamp01_v(zr_vf_set(1.0f) - zr_vf_abs(cosine));
     const zr_vf power = ZR_MUTANT(xray_cubed, along * along, along * along * along);
-    return zr_clamp01_v((zr_vf_set(0.10f) + zr_vf_set(0.80f) * power) * leaned(normal, cosine));
+    return zr_clamp01_v((zr_vf_set(0.15f) + zr_vf_set(0.76f) * power) * leaned(normal, cosine));
 }
 
 /* ---- glass ---- */

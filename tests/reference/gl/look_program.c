@@ -463,7 +463,7 @@ static const char *const surfaces =
     "    }\n"
     "    float film = 1.0;\n"
     "    if (shading == 7 && side != 3.0) {\n"
-    "        film = 0.10 + 0.80 * pow(1.0 - min(abs(dot(normal, v)) / length(normal), 1.0), 2.0);\n"
+    "        film = 0.15 + 0.76 * pow(1.0 - min(abs(dot(normal, v)) / length(normal), 1.0), 2.0);\n"
     "        film = clamp(film * (1.0 - 0.4 * (dot(n, v) < 0.0 ? -n.x : n.x)), 0.0, 1.0);\n"
     "    }\n"
     "    gl_FragColor = vec4(color_of(back ? -n : n, smooth_n, v, own), film);\n"
