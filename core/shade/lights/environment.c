@@ -86,7 +86,7 @@ static const struct zr_environment_light METAL = {
 /* A clear day: blue sky, haze at the horizon in front and behind, and a glow around the sun, which is itself a lamp.
  * The sun is at a place where it lights top and front of a cube differently. */
 static const struct zr_environment_light OUTDOOR = {
-    .sky = {0.34f, 0.52f, 0.84f},
+    .sky = {0.46f, 0.54f, 0.70f},
     .ground = {0.30f, 0.27f, 0.22f},
     .half_width = 0.04f,
     .box_count = 2,
@@ -94,9 +94,9 @@ static const struct zr_environment_light OUTDOOR = {
               {.middle = {0, 0.18f, 1}, .a = 1.2f, .h = 0.18f, .w0 = 0.15f, .color = {0.55f, 0.50f, 0.42f}}},
     .lobe_count = 1,
     .lobes = {{.middle = {-0.42f, 0.80f, 0.43f}, .w0 = 0.7f, .color = TINT(0.45f, 1.0f, 0.95f, 0.85f)}},
-    .harmonics = {{0.4636f, 0.5276f, 0.6439f},
+    .harmonics = {{0.5236f, 0.5376f, 0.5739f},
                   {-0.0262f, -0.0249f, -0.0223f},
-                  {0.0902f, 0.1903f, 0.3663f},
+                  {0.1502f, 0.2003f, 0.2963f},
                   {0.0268f, 0.0255f, 0.0228f},
                   {-0.0232f, -0.0220f, -0.0197f},
                   {0.0237f, 0.0225f, 0.0201f},
