@@ -83,6 +83,8 @@ static const char *const declarations =
     "#endif\n"
     "uniform sampler2D base_map, roughness_map, normal_map, occlusion_map, emissive_map, coat_map, "
     "coat_roughness_map;\n"
+    "uniform sampler2D around_map;\n"
+    "uniform vec3 around[9];\n"
     "uniform vec3 rows[14];\n"
     "uniform float normal_scale, occlusion_strength;\n"
     "float rough, metal, open;\n"
@@ -199,6 +201,9 @@ static const char *const environments =
     "}\n"
     "vec3 diffuse_light(vec3 n)\n"
     "{\n"
+    "    if (environment == 4.0)\n"
+    "        return sum_of(n, around[0], around[1], around[2], around[3], around[4], around[5], around[6], around[7],\n"
+    "                      around[8]);\n"
     "    if (environment == 1.0)\n"
     "        return sum_of(n, vec3(0.6508, 0.6444, 0.6363), vec3(-0.3456, -0.3359, -0.3224),\n"
     "                      vec3(0.4674, 0.4663, 0.4627), vec3(0.2497, 0.2438, 0.2353),\n"
@@ -250,8 +255,36 @@ static const char *const radiances =
     "           box(d, b2, vec3(0.0, 0.18, 1.0), 1.2, 0.18, 0.15, haze) +\n"
     "           lobe(d, b2, vec3(-0.42, 0.80, 0.43), 0.7, 0.45 * vec3(1.0, 0.95, 0.85));\n"
     "}\n"
+    /* Of an image: octahedral maps, as scene/environment_map.h has them. */
+    "const int sides[7] = int[7](512, 128, 64, 64, 32, 32, 32);\n"
+    "const float softness[7] = float[7](0.0, 0.1, 0.2, 0.3, 0.45, 0.65, 1.0);\n"
+    "vec3 around_texel(int i)\n"
+    "{\n"
+    "    return texelFetch(around_map, ivec2(i % 1024, i / 1024), 0).rgb;\n"
+    "}\n"
+    "vec3 around_level(vec3 d, int level)\n"
+    "{\n"
+    "    int first = 0, row = sides[level] + 2;\n"
+    "    for (int i = 0; i < level; i++) first += (sides[i] + 2) * (sides[i] + 2);\n"
+    "    vec3 u = d / (abs(d.x) + abs(d.y) + abs(d.z));\n"
+    "    vec2 p = u.xz;\n"
+    "    if (u.y < 0.0) p = (1.0 - abs(p.yx)) * vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);\n"
+    "    vec2 at = 0.5 * (p + 1.0) * float(sides[level]) + 0.5, low = floor(at);\n"
+    "    int i = first + int(low.y) * row + int(low.x);\n"
+    "    return mix(mix(around_texel(i), around_texel(i + 1), at.x - low.x),\n"
+    "               mix(around_texel(i + row), around_texel(i + row + 1), at.x - low.x), at.y - low.y);\n"
+    "}\n"
+    "vec3 around_light(vec3 d, float alpha)\n"
+    "{\n"
+    "    float r = sqrt(alpha);\n"
+    "    int level = 0;\n"
+    "    for (int i = 1; i < 6; i++) if (softness[i] <= r) level = i;\n"
+    "    float share = clamp((r - softness[level]) / (softness[level + 1] - softness[level]), 0.0, 1.0);\n"
+    "    return mix(around_level(d, level), around_level(d, level + 1), share);\n"
+    "}\n"
     "vec3 mirrored_light(vec3 d, float alpha)\n"
     "{\n"
+    "    if (environment == 4.0) return around_light(d, alpha);\n"
     "    float b = 2.0 * alpha / (1.0 + 2.2 * alpha);\n"
     "    vec3 sharp = environment == 1.0   ? studio_light(d, b * b)\n"
     "                 : environment == 2.0 ? metal_light(d, b * b)\n"
@@ -479,7 +512,8 @@ static unsigned make(const char *of_vertices, const char *fixed, struct referenc
 
 _Static_assert(ZR_SHADING_UNLIT == 0 && ZR_SHADING_PHONG == 3 && ZR_SHADING_NORMALS == 4 && ZR_SHADING_PBR == 5 &&
                    ZR_SHADING_GOOCH == 6 && ZR_SHADING_XRAY == 7 && LOOK_LAMPS_MAX == 64 &&
-                   ZR_ENVIRONMENT_STUDIO == 1 && ZR_ENVIRONMENT_METAL == 2 && ZR_ENVIRONMENT_OUTDOOR == 3,
+                   ZR_ENVIRONMENT_STUDIO == 1 && ZR_ENVIRONMENT_METAL == 2 && ZR_ENVIRONMENT_OUTDOOR == 3 &&
+                   ZR_ENVIRONMENT_IMAGE == 4,
                "the program has these numbers");
 
 unsigned look_program_fixed(const char *fixed, struct reference_error *error)

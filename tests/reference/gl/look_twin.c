@@ -6,6 +6,8 @@
 #include "reference/average.h"
 #include "reference/gl/look_surfaces.h"
 #include "reference/gl/look_texture.h"
+#include "reference/gl/reference_texture.h"
+#include "scene/environment_map.h"
 #include "scene/picture.h"
 #include "shade/lights/dfg.h"
 #include "shade/lights/sheen.h"
@@ -78,7 +80,9 @@ static void environment_rows(const struct look_twin *twin, vec3 rows[3])
     if (!environment->camera_frame) {
         to_eye(twin->camera, world_up, up);
         const bool is_above = 1.0 - up[2] * up[2] <= 1e-6;
-        const vec3 wanted = {0, is_above ? -1 : 0, is_above ? 0 : 1};
+        vec3 wanted = {0, is_above ? -1 : 0, is_above ? 0 : 1};
+        const vec3 world_front = {0, twin->scene->picture->z_is_up ? -1 : 0, !twin->scene->picture->z_is_up};
+        if (environment->map) to_eye(twin->camera, world_front, wanted);
         for (int k = 0; k < 3; k++)
             front[k] = wanted[k] - up[k] * dot(wanted, up);
         make_unit(front);
@@ -118,6 +122,7 @@ struct uniforms {
     float exposure, toe, environment, intensity, lamp_count;
     float to_environment[3][3];
     zr_vec4 middle;
+    zr_vec3 around[ZR_MAP_HARMONICS];
     float gooch[2];
     float lamp_to[LOOK_LAMPS_MAX][3];
     float lamp_place[LOOK_LAMPS_MAX][4], lamp_spot[LOOK_LAMPS_MAX][4], lamp_end[LOOK_LAMPS_MAX][2];
@@ -217,6 +222,8 @@ static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
     u->toe = toes[scene->picture->tone];
     u->environment = (float)scene->picture->environment.name;
     u->intensity = scene->picture->environment.intensity;
+    const struct zr_environment_map *map = scene->picture->environment.map;
+    if (map) memcpy(u->around, map->harmonics, sizeof u->around);
     for (int i = 0; i < ZR_DFG_SIDE * ZR_DFG_SIDE; i++)
         for (int k = 0; k < 2; k++)
             u->split[i][k] = zr_dfg_table[i / ZR_DFG_SIDE][k][i % ZR_DFG_SIDE];
@@ -240,6 +247,7 @@ const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin)
         {"intensity", 1, 1, &u.intensity},
         {"to_environment", 3, 3, u.to_environment[0]},
         {"middle", 4, 1, &u.middle.x},
+        {"around", 3, ZR_MAP_HARMONICS, &u.around[0].x},
         {"gooch", 2, 1, u.gooch},
         {"lamp_count", 1, 1, &u.lamp_count},
         {"lamp_to", 3, LOOK_LAMPS_MAX, u.lamp_to[0]},
@@ -323,8 +331,8 @@ static bool draw_samples(const struct look_twin *twin, const struct zr_scene *la
         return false;
     batches.arrays.blended = zr_any_is_xray(large->materials, large->material_count);
     if (!reference_resize(twin->reference, width, height, batches.parity_faces > 0, error) ||
-        !(look_surfaces_are_lit(twin->scene) ? look_surfaces_draw : look_twin_light_samples)(twin, large, &batches.arrays,
-                                                                                   samples, gaps, error))
+        !(look_surfaces_are_lit(twin->scene) ? look_surfaces_draw : look_twin_light_samples)(
+            twin, large, &batches.arrays, samples, gaps, error))
         return false;
     batches_mark_thin(&batches, width, height, gaps);
     return true;
@@ -397,7 +405,11 @@ bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, 
     const bool has_xrays = zr_any_is_xray(large.materials, large.material_count);
     if (twin->scene->light_count > LOOK_LAMPS_MAX || !samples || !sample_gaps) return false;
     if (has_xrays && !show_backs(twin->arena, &large)) return false;
-    if (!draw_samples(twin, &large, samples, sample_gaps, error)) return false;
+    const struct zr_environment_map *map = twin->scene->picture->environment.map;
+    const unsigned table = map ? reference_table_make(map->texels, ZR_MAP_TEXELS, error) : 0;
+    const bool is_drawn = (!map || table) && draw_samples(twin, &large, samples, sample_gaps, error);
+    if (table) reference_table_delete(table);
+    if (!is_drawn) return false;
     average_gaps(sample_gaps, side, width, height, gaps);
     for (uint32_t y = 0; y < height; y++) {
         double background[4];

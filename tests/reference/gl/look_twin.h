@@ -48,7 +48,7 @@ struct look_twin {
 bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error);
 
 /* All that it has as uniforms of the whole picture. They stand until the next call. */
-enum { LOOK_UNIFORMS = 19 };
+enum { LOOK_UNIFORMS = 20 };
 const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin);
 
 /* Draws four floats per sample, each lit by itself, as look_surfaces_draw. */

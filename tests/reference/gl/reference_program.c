@@ -1,5 +1,6 @@
 /* GLSL programs. */
 #include "reference/gl/reference_gl.h"
+#include "reference/gl/reference_texture.h"
 
 /* NULL attaches nothing. GL keeps the shader until its program is deleted. */
 static bool attach(GLuint program, GLenum type, const char *source, struct reference_error *error)
@@ -66,6 +67,7 @@ static void set_textures(GLuint program, const struct zr_material *material, con
         for (int k = 0; k < 6; k++)
             rows[2 * slot + k / 3][k % 3] = texture->rows[k / 3][k % 3];
     }
+    glUniform1i(glGetUniformLocation(program, "around_map"), REFERENCE_TABLE_UNIT);
     glUniform1fv(glGetUniformLocation(program, "has"), ZR_TEXTURE_SLOTS, has);
     glUniform1fv(glGetUniformLocation(program, "second"), ZR_TEXTURE_SLOTS, second);
     glUniform3fv(glGetUniformLocation(program, "rows"), 2 * ZR_TEXTURE_SLOTS, rows[0]);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- levels ---- */
 
@@ -159,6 +160,33 @@ void reference_textures_delete(const struct zr_scene *scene, GLuint *names)
 {
     glDeleteTextures((GLsizei)scene->texture_count, names);
     free(names);
+}
+
+/* ---- tables ---- */
+
+GLuint reference_table_make(const float *fours, uint32_t count, struct reference_error *error)
+{
+    const uint32_t rows = (count + REFERENCE_TABLE_ROW - 1) / REFERENCE_TABLE_ROW;
+    float *whole = calloc((size_t)rows * REFERENCE_TABLE_ROW, 4 * sizeof *whole);
+    GLuint table = 0;
+    if (!whole) return 0;
+    memcpy(whole, fours, (size_t)count * 4 * sizeof *whole);
+    glGenTextures(1, &table);
+    glActiveTexture(GL_TEXTURE0 + REFERENCE_TABLE_UNIT);
+    glBindTexture(GL_TEXTURE_2D, table);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, REFERENCE_TABLE_ROW, (GLsizei)rows, 0, GL_RGBA, GL_FLOAT, whole);
+    glActiveTexture(GL_TEXTURE0);
+    free(whole);
+    if (reference_gl_ok(error, "table")) return table;
+    reference_table_delete(table);
+    return 0;
+}
+
+void reference_table_delete(GLuint table)
+{
+    glDeleteTextures(1, &table);
 }
 
 void reference_textures_bind(const GLuint *names, const struct zr_material *material)
