@@ -502,9 +502,10 @@ bench-python: ## the Python package beside the same calls in C, and two threads 
 
 .PHONY: bench-looks
 bench-looks: ## processor time of complete looks, kept scenes, one thread; AGAINST=DIR: before it, that of another build, in turns; ROUNDS=15
-	@.ci/need $(NEED_BUILD)
+	@.ci/need $(NEED_BUILD) /usr/lib/python3/dist-packages/numpy=python3-numpy
 	@$(MAKE) -s -j$(JOBS) library $(BUILD)/tests/bench/alone/look_times
-	@$(BUILD)/tests/bench/alone/look_times $(or $(ROUNDS),15) $(DATA)/models $(AGAINST:%=%/libzraster.so.0) $(BUILD)/libzraster.so.0
+	@test -f $(BUILD)/bench/helmet.glb || /usr/bin/python3 tests/bench/python/helmet.py $(BUILD)/bench/helmet.glb
+	@$(BUILD)/tests/bench/alone/look_times $(or $(ROUNDS),15) $(DATA)/models $(BUILD)/bench $(AGAINST:%=%/libzraster.so.0) $(BUILD)/libzraster.so.0
 
 .PHONY: bench-surfaces
 bench-surfaces: ## looks with 16 samples per pixel beside 64, which light each sample: RMS in steps of 255; ARGS="--against DIR"

@@ -46,7 +46,10 @@ static inline struct zr_vec3_v zr_texel_at_place_v(const struct zr_texture_map *
     const struct zr_texture_place_v at = zr_texture_place_of(planes, first, is_projected, x, y);
     zr_vf rho = zr_vf_set(0.0f);
     if (zr_texture_needs_rho(map)) rho = zr_rho_of_quads_v(map, planes, first, is_projected, x, y);
-    return zr_texture_color_v(map, at.s, at.t, rho, true);
+    const struct zr_alike_maps maps = {{map}, 1};
+    struct zr_vec3_v color = zr_spread_v((zr_vec3){0, 0, 0});
+    zr_texture_colors_v(&maps, at.s, at.t, rho, true, &color);
+    return color;
 }
 
 /* ---- materials ---- */

@@ -353,6 +353,33 @@ static bool make_map(struct making *m, const struct zr_texture *texture, struct 
     return true;
 }
 
+/* ---- places ---- */
+
+/* Number of places that textures may share. */
+enum { PLACES = 16 };
+
+static bool are_alike(const struct zr_texture_map *a, const struct zr_texture_map *b)
+{
+    const struct zr_texture *s = a->texture, *t = b->texture;
+    return s->texcoord == t->texcoord && s->wrap_s == t->wrap_s && s->wrap_t == t->wrap_t && s->magnify == t->magnify &&
+           s->minify == t->minify && memcmp(s->rows, t->rows, sizeof s->rows) == 0 &&
+           a->levels[0].width == b->levels[0].width && a->levels[0].height == b->levels[0].height;
+}
+
+/* Numbers the places of maps. Maps beyond the first PLACES places share none. */
+static void find_places(struct zr_texture_map *maps, uint32_t count)
+{
+    uint32_t places[PLACES], found = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        if (!maps[i].texture) continue;
+        uint32_t k = 0;
+        while (k < found && !are_alike(&maps[places[k]], &maps[i]))
+            k++;
+        maps[i].place = k < found ? places[k] : i;
+        if (k == found && found < PLACES) places[found++] = i;
+    }
+}
+
 enum zr_status zr_texture_maps_make(const struct zr_run *run, const struct zr_scene *scene, bool decode,
                                     struct zr_texture_maps *maps)
 {
@@ -370,6 +397,7 @@ enum zr_status zr_texture_maps_make(const struct zr_run *run, const struct zr_sc
         if (is_see_through(scene, i) && !make_opacity(&m, &scene->textures[i], &opacity[i])) return ZR_NO_MEMORY;
         if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     }
+    find_places(of, scene->texture_count);
     *maps = (struct zr_texture_maps){of, opacity, has_finish_textures(scene)};
     return ZR_OK;
 }

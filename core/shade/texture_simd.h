@@ -12,24 +12,9 @@
 #include "base/simd/lookup_simd.h"
 #include "base/simd/pow_simd.h"
 #include "base/simd/simd.h"
+#include "base/simd/whole_simd.h"
 #include "base/vec3_simd.h"
 #include "shade/texture_maps.h"
-
-/* Rounds a float of any magnitude to the nearest integer, ties to even. Adding 2^23 to a smaller magnitude rounds it to
- * an integer; all floats from 2^23 on are integers. */
-static inline zr_vf zr_nearest_v(zr_vf v)
-{
-    const zr_vf whole = zr_vf_set(8388608.0f), size = zr_vf_abs(v), zero = zr_vf_set(0.0f);
-    const zr_vf near = zr_vf_select(zr_vf_lt(size, whole), (size + whole) - whole, size);
-    return zr_vf_select(zr_vf_lt(v, zero), zero - near, near);
-}
-
-/* Rounds down. */
-static inline zr_vf zr_floor_v(zr_vf v)
-{
-    const zr_vf near = zr_nearest_v(v);
-    return zr_vf_select(zr_vf_lt(v, near), near - zr_vf_set(1.0f), near);
-}
 
 /* ---- one axis ---- */
 
@@ -153,47 +138,128 @@ static inline struct zr_vec3_v zr_lerp3_v(struct zr_vec3_v a, struct zr_vec3_v b
     return (struct zr_vec3_v){a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
 }
 
-/* Returns the mix of two neighbouring texels of a row. All but those at a seam are neighbours in memory. */
-static inline struct zr_vec3_v zr_sample_row_v(const struct zr_texture_map *map, const struct zr_texture_level *level,
-                                               const struct zr_taps_v *x, zr_vi y)
+/* Texels around ZR_LANES points, for bilinear sampling. */
+struct zr_footprint_v {
+    struct zr_taps_v x, y;
+    bool has_pairs; /* high is low + 1 along x: the usual case, but for those at a seam */
+    bool is_boxed;  /* has_pairs, and all texels lie in a box of ZR_PATCH_COLUMNS x ZR_PATCH_ROWS */
+    size_t first;   /* number of the box's first texel in the level */
+    zr_vi boxed[2]; /* number in the box of the texels at x.low in the rows y.low and y.high */
+};
+
+/* A box replaces gathers, and its texels are decoded once. With textures of 512 x 512, the helmet of `make bench-looks`
+ * takes a sixth less. Boxes of 8 x 8 beside them save nothing. */
+enum { ZR_HAS_BOXES = ZR_PATCH_ROWS >= 4 };
+
+/* Looks for the box. The points are a patch or a row, in a plane or nearly so: the least texel is that of a corner. */
+static inline void zr_find_box(const struct zr_texture_level *level, struct zr_footprint_v *out)
 {
-    zr_vi low, high;
-    if (map->bits != 8 || zr_vm_bits(zr_vi_eq(x->high, x->low + zr_vi_set(1))) != ZR_ALL_BITS)
-        return zr_lerp3_v(zr_texel_v(map, level, x->low, y), zr_texel_v(map, level, x->high, y), x->share);
-    zr_vi_gather_pairs(level->texels, y * zr_vi_set((int32_t)level->width) + x->low, &low, &high);
-    return zr_lerp3_v(zr_texel_of_word_v(map, low), zr_texel_of_word_v(map, high), x->share);
+    enum { COLUMNS = ZR_PATCH_COLUMNS, ROWS = ZR_PATCH_ROWS };
+    int32_t x[ZR_LANES], y[ZR_LANES];
+    zr_vi_store(x, out->x.low);
+    zr_vi_store(y, out->y.low);
+    int32_t left = (int32_t)level->width - COLUMNS, low = (int32_t)level->height - ROWS;
+    if (left < 0 || low < 0) return;
+    for (int k = 0; k < 4; k++) {
+        const int corner = (k & 1 ? COLUMNS - 1 : 0) + (k & 2 ? ZR_LANES - COLUMNS : 0);
+        left = x[corner] < left ? x[corner] : left;
+        low = y[corner] < low ? y[corner] : low;
+    }
+    const zr_vi column = out->x.low - zr_vi_set(left), one = zr_vi_set(1);
+    const zr_vi row[2] = {out->y.low - zr_vi_set(low), out->y.high - zr_vi_set(low)};
+    const zr_vi beyond = (column | (column + one) | row[0] | row[1]) & zr_vi_set(~(COLUMNS - 1));
+    out->is_boxed = zr_vm_bits(zr_vi_eq(beyond, zr_vi_set(0))) == ZR_ALL_BITS;
+    out->first = (size_t)low * level->width + (size_t)left;
+    for (int k = 0; k < 2; k++)
+        out->boxed[k] = row[k] * zr_vi_set(COLUMNS) + column;
 }
 
-/* ---- levels ---- */
-
-static inline struct zr_vec3_v zr_sample_level_v(const struct zr_texture_map *map, uint32_t number, bool linear,
-                                                 zr_vf s, zr_vf t)
+static inline struct zr_footprint_v zr_footprint_of(const struct zr_texture_map *map,
+                                                    const struct zr_texture_level *level, zr_vf s, zr_vf t)
 {
-    const struct zr_texture_level *level = &map->levels[number];
-    const struct zr_texture *texture = map->texture;
-    if (!linear)
-        return zr_texel_v(map, level, zr_nearest_texel_v(texture->wrap_s, level->width, s),
-                          zr_nearest_texel_v(texture->wrap_t, level->height, t));
-    const struct zr_taps_v x = zr_taps_of(texture->wrap_s, level->width, s),
-                           y = zr_taps_of(texture->wrap_t, level->height, t);
-    return zr_lerp3_v(zr_sample_row_v(map, level, &x, y.low), zr_sample_row_v(map, level, &x, y.high), y.share);
+    struct zr_footprint_v out = {.x = zr_taps_of(map->texture->wrap_s, level->width, s),
+                                 .y = zr_taps_of(map->texture->wrap_t, level->height, t)};
+    out.has_pairs = zr_vm_bits(zr_vi_eq(out.x.high, out.x.low + zr_vi_set(1))) == ZR_ALL_BITS;
+    if (ZR_HAS_BOXES && out.has_pairs) zr_find_box(level, &out);
+    return out;
+}
+
+static inline struct zr_vec3_v zr_pick3_v(struct zr_vec3_v v, zr_vi i)
+{
+    return (struct zr_vec3_v){zr_vf_pick(v.x, i), zr_vf_pick(v.y, i), zr_vf_pick(v.z, i)};
+}
+
+/* Returns the bilinear sample of texels in a box. */
+static inline struct zr_vec3_v zr_sample_box_v(const struct zr_texture_map *map, const struct zr_texture_level *level,
+                                               const struct zr_footprint_v *at)
+{
+    const uint32_t *texels = (const uint32_t *)level->texels + at->first;
+    const struct zr_vec3_v box = zr_texel_of_word_v(map, zr_vi_load_patch(texels, level->width));
+    struct zr_vec3_v rows[2];
+    for (int k = 0; k < 2; k++)
+        rows[k] = zr_lerp3_v(zr_pick3_v(box, at->boxed[k]), zr_pick3_v(box, at->boxed[k] + zr_vi_set(1)), at->x.share);
+    return zr_lerp3_v(rows[0], rows[1], at->y.share);
+}
+
+/* Returns the mix of two neighbouring texels of a row. */
+static inline struct zr_vec3_v zr_sample_row_v(const struct zr_texture_map *map, const struct zr_texture_level *level,
+                                               const struct zr_footprint_v *at, zr_vi y)
+{
+    zr_vi low, high;
+    if (map->bits != 8 || !at->has_pairs)
+        return zr_lerp3_v(zr_texel_v(map, level, at->x.low, y), zr_texel_v(map, level, at->x.high, y), at->x.share);
+    zr_vi_gather_pairs(level->texels, y * zr_vi_set((int32_t)level->width) + at->x.low, &low, &high);
+    return zr_lerp3_v(zr_texel_of_word_v(map, low), zr_texel_of_word_v(map, high), at->x.share);
+}
+
+static inline struct zr_vec3_v zr_sample_linear_v(const struct zr_texture_map *map,
+                                                  const struct zr_texture_level *level, const struct zr_footprint_v *at)
+{
+    if (ZR_HAS_BOXES && at->is_boxed && map->bits == 8) return zr_sample_box_v(map, level, at);
+    return zr_lerp3_v(zr_sample_row_v(map, level, at, at->y.low), zr_sample_row_v(map, level, at, at->y.high),
+                      at->y.share);
+}
+
+/* ---- maps of one place ---- */
+
+/* Maps with the same `place`, which are sampled at the same points. */
+struct zr_alike_maps {
+    const struct zr_texture_map *of[ZR_TEXTURE_SLOTS];
+    int count;
+};
+
+/* Samples a level of each map. Only lanes of `where` are written. */
+static inline void zr_sample_level_v(const struct zr_alike_maps *maps, uint32_t number, bool linear, zr_vf s, zr_vf t,
+                                     zr_vm where, struct zr_vec3_v *out)
+{
+    const struct zr_texture_map *first = maps->of[0];
+    const struct zr_texture_level *level = &first->levels[number];
+    if (!linear) {
+        const zr_vi x = zr_nearest_texel_v(first->texture->wrap_s, level->width, s),
+                    y = zr_nearest_texel_v(first->texture->wrap_t, level->height, t);
+        for (int i = 0; i < maps->count; i++)
+            out[i] = zr_choose_v(where, zr_texel_v(maps->of[i], &maps->of[i]->levels[number], x, y), out[i]);
+        return;
+    }
+    const struct zr_footprint_v at = zr_footprint_of(first, level, s, t);
+    for (int i = 0; i < maps->count; i++) {
+        const struct zr_texture_map *map = maps->of[i];
+        out[i] = zr_choose_v(where, zr_sample_linear_v(map, &map->levels[number], &at), out[i]);
+    }
 }
 
 /* Samples each lane at its own level. Usually the lanes have one or two. */
-static inline struct zr_vec3_v zr_sample_levels_v(const struct zr_texture_map *map, zr_vi numbers, bool linear, zr_vf s,
-                                                  zr_vf t)
+static inline void zr_sample_levels_v(const struct zr_alike_maps *maps, zr_vi numbers, bool linear, zr_vf s, zr_vf t,
+                                      struct zr_vec3_v *out)
 {
     uint32_t each[ZR_LANES], left = ZR_ALL_BITS;
-    const zr_vf zero = zr_vf_set(0.0f);
-    struct zr_vec3_v out = {zero, zero, zero};
     zr_vi_store(each, numbers);
     while (left) {
         const uint32_t number = each[zr_lowest_bit(left)];
         const zr_vm of_it = zr_vi_eq(numbers, zr_vi_set((int32_t)number));
-        out = zr_choose_v(of_it, zr_sample_level_v(map, number, linear, s, t), out);
+        zr_sample_level_v(maps, number, linear, s, t, of_it, out);
         left &= ~zr_vm_bits(of_it);
     }
-    return out;
 }
 
 /* ---- filters ---- */
@@ -224,33 +290,47 @@ static inline zr_vf zr_lod_v(zr_vf rho_squared, bool as_mesa)
     return ZR_MUTANT(levels_half_off, lod, lod + zr_vf_set(0.5f));
 }
 
-static inline struct zr_vec3_v zr_sample_minified_v(const struct zr_texture_map *map, zr_vf lod, zr_vf s, zr_vf t)
+static inline void zr_sample_minified_v(const struct zr_alike_maps *maps, zr_vf lod, zr_vf s, zr_vf t,
+                                        struct zr_vec3_v *out)
 {
-    const enum zr_filter filter = map->texture->minify;
+    const enum zr_filter filter = maps->of[0]->texture->minify;
     const bool linear = zr_filter_is_linear(filter);
-    const zr_vf last = zr_vf_set((float)(map->level_count - 1)), zero = zr_vf_set(0.0f);
-    if (!zr_filter_has_levels(filter)) return zr_sample_level_v(map, 0, linear, s, t);
+    const zr_vf last = zr_vf_set((float)(maps->of[0]->level_count - 1)), zero = zr_vf_set(0.0f);
     const zr_vf kept = zr_vf_min(zr_vf_max(lod, zero), last);
-    if (filter == ZR_FILTER_NEAREST_MIPMAP_NEAREST || filter == ZR_FILTER_LINEAR_MIPMAP_NEAREST)
-        return zr_sample_levels_v(map, zr_vi_round(zr_floor_v(kept + zr_vf_set(0.5f))), linear, s, t);
+    if (!zr_filter_has_levels(filter)) {
+        zr_sample_level_v(maps, 0, linear, s, t, ZR_ALL_LANES, out);
+        return;
+    }
+    if (filter == ZR_FILTER_NEAREST_MIPMAP_NEAREST || filter == ZR_FILTER_LINEAR_MIPMAP_NEAREST) {
+        zr_sample_levels_v(maps, zr_vi_round(zr_floor_v(kept + zr_vf_set(0.5f))), linear, s, t, out);
+        return;
+    }
     const zr_vf whole = zr_floor_v(kept), share = kept - whole;
     const zr_vi low = zr_vi_round(whole), high = zr_vi_min(low + zr_vi_set(1), zr_vi_round(last));
-    const struct zr_vec3_v fine = zr_sample_levels_v(map, low, linear, s, t);
-    if (!zr_vm_any(zr_vf_lt(zero, share))) return fine;
-    return zr_lerp3_v(fine, zr_sample_levels_v(map, high, linear, s, t), share);
+    zr_sample_levels_v(maps, low, linear, s, t, out);
+    if (!zr_vm_any(zr_vf_lt(zero, share))) return;
+    struct zr_vec3_v coarse[ZR_TEXTURE_SLOTS] = {0};
+    zr_sample_levels_v(maps, high, linear, s, t, coarse);
+    for (int i = 0; i < maps->count; i++)
+        out[i] = zr_lerp3_v(out[i], coarse[i], share);
 }
 
-/* Samples a texture at s, t. rho_squared is used only if zr_texture_needs_rho. as_mesa: as in zr_lod_v. */
-static inline struct zr_vec3_v zr_texture_color_v(const struct zr_texture_map *map, zr_vf s, zr_vf t, zr_vf rho_squared,
-                                                  bool as_mesa)
+/* Samples maps at s, t. rho_squared is used only if zr_texture_needs_rho. as_mesa: as in zr_lod_v. Points that do not
+ * shrink the image have level 0, also by the filter for smaller ones if both are linear or neither is. */
+static inline void zr_texture_colors_v(const struct zr_alike_maps *maps, zr_vf s, zr_vf t, zr_vf rho_squared,
+                                       bool as_mesa, struct zr_vec3_v *out)
 {
-    const bool linear = zr_filter_is_linear(map->texture->magnify);
-    if (!zr_texture_needs_rho(map)) return zr_sample_level_v(map, 0, linear, s, t);
+    const struct zr_texture *texture = maps->of[0]->texture;
+    const bool linear = zr_filter_is_linear(texture->magnify);
     const zr_vm smaller = zr_vf_lt(zr_vf_set(1.0f), rho_squared);
-    if (!zr_vm_any(smaller)) return zr_sample_level_v(map, 0, linear, s, t);
-    const struct zr_vec3_v small = zr_sample_minified_v(map, zr_lod_v(rho_squared, as_mesa), s, t);
-    if (zr_vm_bits(smaller) == ZR_ALL_BITS) return small;
-    return zr_choose_v(smaller, small, zr_sample_level_v(map, 0, linear, s, t));
+    if (!zr_texture_needs_rho(maps->of[0]) || !zr_vm_any(smaller)) {
+        zr_sample_level_v(maps, 0, linear, s, t, ZR_ALL_LANES, out);
+        return;
+    }
+    const zr_vf lod = zr_vf_select(smaller, zr_lod_v(rho_squared, as_mesa), zr_vf_set(0.0f));
+    zr_sample_minified_v(maps, lod, s, t, out);
+    if (zr_vm_bits(smaller) != ZR_ALL_BITS && zr_filter_is_linear(texture->minify) != linear)
+        zr_sample_level_v(maps, 0, linear, s, t, zr_vm_andnot(ZR_ALL_LANES, smaller), out);
 }
 
 #endif

@@ -1,6 +1,7 @@
-/* look_times ROUNDS MODELS LIBRARY...: processor time of pictures of kept scenes, by one thread, in milliseconds: the
- * least of the rounds, in which libraries take turns. With several libraries, also the time of the first in times of
- * that of each other one. LIBRARY: libzraster.so.0 of a build. `make bench-looks` runs it. */
+/* look_times ROUNDS MODELS MADE LIBRARY...: processor time of pictures of kept scenes, by one thread, in milliseconds:
+ * the least of the rounds, in which libraries take turns. With several libraries, also the time of the first in times
+ * of that of each other one. MODELS, MADE: folders of models. LIBRARY: libzraster.so.0 of a build. `make bench-looks`
+ * runs it. */
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +9,7 @@
 
 #include "api/zraster.h"
 
-enum { LIBRARIES_MOST = 4 };
+enum { LIBRARIES_MOST = 4, FOLDERS = 2 };
 
 static const struct {
     const char *name, *model, *query;
@@ -26,6 +27,7 @@ static const struct {
     {"dark, bunny 512x512", "stanford-bunny.obj", "look=dark&width=512&height=512"},
     {"outdoor, bunny 512x512", "stanford-bunny.obj", "look=outdoor&width=512&height=512"},
     {"xray, housing 512x512", "parts/housing.obj", "look=xray&width=512&height=512"},
+    {"studio, helmet 512x512", "helmet.glb", "look=studio&width=512&height=512"}, /* by python/helmet.py */
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -97,10 +99,11 @@ static void draw(struct library *library)
     library->free_picture(picture);
 }
 
-static void measure(int row, int rounds, const char *folder, struct library *libraries, int count)
+static void measure(int row, int rounds, char **folders, struct library *libraries, int count)
 {
     struct zraster_request request = {.struct_size = sizeof request, .query = rows[row].query};
-    request.body = read_file(folder, rows[row].model, &request.body_size);
+    for (int i = 0; i < FOLDERS && !request.body; i++)
+        request.body = read_file(folders[i], rows[row].model, &request.body_size);
     if (!request.body) {
         printf("%-28s left out: no %s\n", rows[row].name, rows[row].model);
         return;
@@ -127,11 +130,12 @@ static void measure(int row, int rounds, const char *folder, struct library *lib
 int main(int argc, char **argv)
 {
     static struct library libraries[LIBRARIES_MOST];
-    const int count = argc - 3;
-    if (count < 1 || count > LIBRARIES_MOST) return fprintf(stderr, "usage: look_times ROUNDS MODELS LIBRARY...\n"), 2;
+    const int count = argc - 2 - FOLDERS;
+    if (count < 1 || count > LIBRARIES_MOST)
+        return fprintf(stderr, "usage: look_times ROUNDS MODELS MADE LIBRARY...\n"), 2;
     for (int i = 0; i < count; i++)
-        load(argv[3 + i], &libraries[i]);
+        load(argv[2 + FOLDERS + i], &libraries[i]);
     for (int row = 0; row < ROWS; row++)
-        measure(row, atoi(argv[1]), argv[2], libraries, count);
+        measure(row, atoi(argv[1]), argv + 2, libraries, count);
     return 0;
 }

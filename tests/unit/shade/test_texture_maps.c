@@ -75,6 +75,38 @@ TEST(a_texture_that_no_material_has_gets_no_levels)
     zr_arena_free(&arena);
 }
 
+/* Two textures of one image, and one of an image of another size. */
+TEST(textures_share_a_place_if_they_sample_the_same_texels)
+{
+    static const uint8_t texels[8 * 8 * 4];
+    const struct zr_image images[2] = {{8, 8, 8, texels, NULL}, {8, 4, 8, texels, NULL}};
+    const struct zr_texture first = {.minify = ZR_FILTER_LINEAR_MIPMAP_LINEAR, .rows = {{1, 0, 0}, {0, 1, 0}}};
+    struct zr_texture textures[7] = {first, first, first, first, first, first, first};
+    struct zr_material materials[7] = {0};
+    struct zr_texture_maps maps;
+    const struct zr_scene scene = {.image_count = 2,
+                                   .images = images,
+                                   .texture_count = 7,
+                                   .textures = textures,
+                                   .material_count = 7,
+                                   .materials = materials};
+    for (uint32_t i = 0; i < 7; i++)
+        materials[i].textures[0] = 1 + i;
+    textures[1].is_color = true;
+    textures[2].image = 1;
+    textures[3].texcoord = 1;
+    textures[4].wrap_t = ZR_WRAP_CLAMP;
+    textures[5].magnify = ZR_FILTER_LINEAR;
+    textures[6].rows[1][2] = 0.5f;
+    open_arena();
+    assert_int_equal(zr_texture_maps_make(&(struct zr_run){.arena = &arena}, &scene, true, &maps), ZR_OK);
+    assert_int_equal(maps.of[1].place, maps.of[0].place);
+    for (uint32_t i = 2; i < 7; i++)
+        for (uint32_t k = 0; k < i; k++)
+            assert_int_not_equal(maps.of[i].place, maps.of[k].place);
+    zr_arena_free(&arena);
+}
+
 /* Whatever its value, a texel that is averaged with its like stays as it is. */
 TEST(colours_that_are_alike_stay)
 {
