@@ -6,6 +6,8 @@
 #ifndef ZR_EYE_PLANES_SIMD_H
 #define ZR_EYE_PLANES_SIMD_H
 
+#include "base/inlined.h"
+#include "base/simd/fours_simd.h"
 #include "base/simd/simd.h"
 #include "shade/eye_depth.h"
 
@@ -79,11 +81,16 @@ static inline struct zr_eye_planes zr_eye_value_planes(const struct zr_eye_corne
 enum { ZR_EYE_DEPTH_DOUBLES = 8 };
 _Static_assert(sizeof(struct zr_eye_depth) == ZR_EYE_DEPTH_DOUBLES * sizeof(double), "nothing but doubles");
 
-/* Returns value `k` of ZR_DOUBLES structures of doubles; all lanes are the same if `alone`. */
-static inline zr_vd zr_eye_value_of(const void *structures, const int32_t *places, int k, bool alone)
+/* Loads the first `count` values of ZR_DOUBLES structures of doubles, a multiple of four; all lanes are the same if
+ * `alone`. */
+ZR_INLINED void zr_eye_load(const void *structures, const int32_t *places, int count, bool alone, zr_vd *out)
 {
-    const double *values = (const double *)structures + k;
-    return alone ? zr_vd_set(values[places[0]]) : zr_vd_gather(values, places);
+    const double *values = structures;
+    for (int k = 0; k < count; k += alone ? 1 : 4)
+        if (alone)
+            out[k] = zr_vd_set(values[places[0] + k]);
+        else
+            zr_vd_load_fours(values + k, places, out + k);
 }
 
 /* Computes the depths of ZR_DOUBLES samples. */
@@ -91,8 +98,7 @@ static inline zr_vd zr_eye_depths_at(const struct zr_eye_depth *depths, const in
                                      bool alone)
 {
     zr_vd v[ZR_EYE_DEPTH_DOUBLES];
-    for (int k = 0; k < ZR_EYE_DEPTH_DOUBLES; k++)
-        v[k] = zr_eye_value_of(depths, places, k, alone);
+    zr_eye_load(depths, places, ZR_EYE_DEPTH_DOUBLES, alone, v);
     const zr_vd up = zr_vd_set(y), above = (v[0] + v[2] * up) + v[1] * x, below = (v[3] + v[5] * up) + v[4] * x;
     return zr_vd_min(zr_vd_max(above / below, v[6]), v[7]);
 }

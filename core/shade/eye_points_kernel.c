@@ -144,8 +144,7 @@ ZR_INLINED void shares_at(const struct zr_eye_shares *shares, const int32_t *pla
 {
     const zr_vd zero = zr_vd_set(0.0), unit = zr_vd_set(1.0), up = zr_vd_set(y);
     zr_vd v[SHARE_DOUBLES], plane[3];
-    for (int k = 0; k < SHARE_DOUBLES; k++)
-        v[k] = zr_eye_value_of(shares, places, k, alone);
+    zr_eye_load(shares, places, SHARE_DOUBLES, alone, v);
     for (int k = 0; k < 3; k++)
         plane[k] = (v[3 * k] + v[3 * k + 2] * up) + v[3 * k + 1] * x;
     const zr_vd second = zr_vd_min(zr_vd_max(plane[0] / plane[2], zero), unit);
