@@ -151,6 +151,51 @@ void answer_copy(struct answer *answer, const char *content_type, const void *by
     answer_body(answer, content_type, copy, size);
 }
 
+/* ---- shared bytes ---- */
+
+struct answer_bytes {
+    size_t users;
+    char *bytes; /* malloc'd */
+};
+
+static void release_shared(struct answer *answer)
+{
+    struct answer_bytes *shared = answer->shared;
+    answer->shared = NULL;
+    if (--shared->users > 0) return;
+    free(shared->bytes);
+    free(shared);
+}
+
+/* Gives the bytes of the answer their count of users. */
+static bool begin_sharing(struct answer *answer)
+{
+    if (answer->shared || !answer->bytes) return true;
+    struct answer_bytes *shared = answer->release ? NULL : malloc(sizeof *shared);
+    if (!shared) return false;
+    *shared = (struct answer_bytes){1, answer->bytes};
+    answer->shared = shared;
+    answer->release = release_shared;
+    return true;
+}
+
+bool answer_share(struct answer *answer, struct answer *other)
+{
+    if (!begin_sharing(answer)) return false;
+    *other = (struct answer){.status = answer->status,
+                             .bytes = answer->bytes,
+                             .size = answer->size,
+                             .is_unsized = answer->is_unsized,
+                             .release = answer->release,
+                             .shared = answer->shared,
+                             .warnings = answer->warnings};
+    if (other->shared) other->shared->users++;
+    for (size_t i = 0; i < answer->header_count; i++)
+        if (strcasecmp(answer->headers[i].name, "Server-Timing") != 0)
+            answer_header(other, answer->headers[i].name, "%s", answer->headers[i].value);
+    return true;
+}
+
 void answer_send(const struct answer *answer, int socket_fd)
 {
     char *text = NULL;

@@ -21,6 +21,7 @@ struct answer_header {
 
 struct kept;
 struct kept_held;
+struct answer_bytes;
 
 struct answer {
     int status;
@@ -32,10 +33,11 @@ struct answer {
     int file;             /* open file, sent from its beginning; 0: none */
     size_t size;          /* of the body; without bytes (HEAD, 304) the value of Content-Length only */
     bool is_unsized;      /* HEAD, 304: there is no Content-Length, since the size is not known */
-    /* Bytes that are lent (keep/answers.h): gives them back. NULL: they are malloc'd. */
+    /* Bytes that are lent (keep/answers.h) or shared: gives them back. NULL: they are malloc'd. */
     void (*release)(struct answer *answer);
     struct kept *lender;
     struct kept_held *lent;
+    struct answer_bytes *shared; /* NULL: they are not shared */
     size_t header_count;
     struct answer_header headers[ANSWER_HEADERS_MAX];
     size_t warnings;                 /* of the render, for the log */
@@ -63,6 +65,10 @@ void answer_body(struct answer *answer, const char *content_type, char *bytes, s
 
 /* Sets status 200 and a copy of the bytes, since the next request reuses their arena. */
 void answer_copy(struct answer *answer, const char *content_type, const void *bytes, size_t size);
+
+/* Makes `other`, empty, an answer with the same status, headers and bytes, which both share, but without its
+ * Server-Timing. One thread must free all that share. False without memory, or if the bytes are lent. */
+bool answer_share(struct answer *answer, struct answer *other);
 
 /* Sets the body to an open file and takes ownership of it. */
 void answer_file(struct answer *answer, const char *content_type, int file, size_t size);

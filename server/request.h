@@ -93,6 +93,7 @@ struct request {
     /* Set by rendering_open and drake_open: */
     char boundary[MULTIPART_BOUNDARY_SIZE]; /* of the body's parts; "": no parts */
     struct zr_request *render; /* malloc'd, without the body; texts of the query follow it; NULL: another route */
+    bool is_shareable;         /* an equal request may have the same answer; false: another route, or a stream */
 
     /* Set by assets_open: */
     const char *asset; /* name of the asset, in `path`; "": a new asset; NULL: another route */

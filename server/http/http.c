@@ -158,6 +158,7 @@ static void look(void *context, struct metrics_now *now)
     numbers[METRICS_ASSET_BYTES_MAX] = (double)http->config->assets_max_bytes;
     numbers[METRICS_MEMORY_MAX] = service_memory_limit(service);
     numbers[METRICS_UPLOAD_BYTES] = (double)atomic_load(&http->uploads.held);
+    numbers[METRICS_SHARED_ANSWERS] = (double)http->shared_answers;
     numbers[METRICS_LOST_LINES] = (double)log_writer_lost_ever();
     for (int i = 0; i < QUEUE_LANES; i++)
         now->waiting[i] = queue.waiting[i];

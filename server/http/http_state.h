@@ -41,6 +41,9 @@ struct http {
 
     _Atomic(struct gate *) next_gate; /* from another thread, for service->gate; NULL: none */
 
+    struct exchange *leaders; /* list of works whose answers equal requests share (http_equal.h) */
+    size_t shared_answers;    /* since the start */
+
     pthread_mutex_t lock;
     struct exchange *reports; /* list, from workers to the loop */
 };
@@ -67,6 +70,8 @@ struct exchange {
     struct connection *connection;
     struct exchange *next;                   /* in http->reports */
     bool is_reported, has_answer, has_ended; /* with http->lock: in the list, since there is an answer or work ended */
+    struct exchange *leader, *followers;     /* NULL: none */
+    struct exchange *next_equal;             /* in the list of followers of its leader, or in http->leaders */
     struct ip peer, client;                  /* client: as told by a trusted proxy, else the peer */
     struct client *holder;                   /* has the exchange's share of answers and streams; NULL: no memory */
     enum step step;

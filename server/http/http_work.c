@@ -4,6 +4,7 @@
 
 #include "clock.h"
 #include "http_end.h"
+#include "http_equal.h"
 #include "http_room.h"
 #include "problem.h"
 #include "routes/parts.h"
@@ -202,7 +203,46 @@ static void begin_answer(struct exchange *exchange)
 static void end_work(struct exchange *exchange)
 {
     exchange->is_working = false;
+    http_equal_leave(exchange);
     upload_free(&exchange->upload, &exchange->http->uploads);
+}
+
+/* Gives the exchange to a worker, or refuses it. */
+static void push(struct exchange *exchange)
+{
+    struct http *http = exchange->http;
+    const enum queue_lane lane = http_lane_of(exchange->upload.size);
+    const enum refusal busy = queue_push(http->queue, &exchange->job, lane);
+    if (!busy) return;
+    problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, lane), busy);
+    end_work(exchange);
+    begin_answer(exchange);
+}
+
+/* Returns true if an answer depends on nothing but the request: errors may tell of a moment, a place or a deadline. */
+static bool is_shareable(const struct answer *answer)
+{
+    return answer->status >= 200 && answer->status < 400 && !answer->is_broken && answer->file <= 0;
+}
+
+/* Gives a follower the answer of its leader. False: there is no room, and it stays to be worked on. */
+static bool share_answer(struct exchange *leader, struct exchange *follower)
+{
+    struct http *http = leader->http;
+    if (!is_shareable(&leader->answer) || http_room_is_full(http)) return false;
+    if (!answer_share(&leader->answer, &follower->answer)) return false;
+    http->shared_answers++;
+    follower->answer_bytes = follower->answer.bytes ? follower->answer.size : 0;
+    http_room_take(follower, follower->answer_bytes);
+    end_work(follower);
+    begin_answer(follower);
+    return true;
+}
+
+static void end_following(struct exchange *leader)
+{
+    for (struct exchange *follower; (follower = http_equal_take_follower(leader));)
+        if (!share_answer(leader, follower)) push(follower);
 }
 
 static struct exchange *take_report(struct http *http, bool *has_answer, bool *has_ended)
@@ -225,6 +265,7 @@ void http_take_reports(struct http *http)
     bool has_answer = false, has_ended = false;
     while ((exchange = take_report(http, &has_answer, &has_ended))) {
         if (has_ended) end_work(exchange);
+        if (has_ended) end_following(exchange);
         if (exchange->is_over && has_ended)
             http_close_exchange(exchange);
         else if (has_answer)
@@ -247,11 +288,14 @@ void http_cancel_work(struct exchange *exchange)
 
 void http_abandon_work(struct http *http, struct exchange *exchange)
 {
+    struct exchange *leader = exchange->leader;
     exchange->client_left = true;
+    if (exchange->followers) return;
     http_cut_stream(exchange);
-    if (!queue_remove(http->queue, &exchange->job)) return;
+    if (!leader && !queue_remove(http->queue, &exchange->job)) return;
     end_work(exchange);
     begin_answer(exchange);
+    if (leader && leader->client_left) http_abandon_work(http, leader); /* unless others follow it */
 }
 
 enum MHD_Result http_begin_work(struct exchange *exchange)
@@ -270,12 +314,8 @@ enum MHD_Result http_begin_work(struct exchange *exchange)
     MHD_suspend_connection(exchange->mhd);
     prepare_stream(exchange);
     exchange->is_working = true;
-    enum queue_lane lane = http_lane_of(exchange->upload.size);
-    const enum refusal busy = queue_push(http->queue, &exchange->job, lane);
-    if (busy) {
-        problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, lane), busy);
-        end_work(exchange);
-        begin_answer(exchange);
-    }
+    if (http_equal_follow(exchange)) return MHD_YES;
+    http_equal_lead(exchange);
+    push(exchange);
     return MHD_YES;
 }

@@ -251,6 +251,8 @@ static const struct family FAMILIES[] = {
      METRICS_CONNECTIONS_MAX},
     {"zraster_pictures", COUNTER, "", "Answers with pictures, by their look.", print_pictures, 0},
     {"zraster_picture_warnings", COUNTER, "", "Warnings of pictures.", NULL, METRICS_WARNINGS},
+    {"zraster_shared_answers", COUNTER, "", "Requests answered by the work on an equal request under way.", NULL,
+     METRICS_SHARED_ANSWERS},
     {"zraster_queue_length", GAUGE, "", "Requests that wait for a worker.", print_queues, 0},
     {"zraster_workers", GAUGE, "", "Workers, without the thread for one small request beside them.", NULL,
      METRICS_WORKERS},

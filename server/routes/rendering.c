@@ -84,6 +84,7 @@ bool rendering_open(const struct service *service, struct request *request, stru
     enum zr_format format;
     if (!read_content_type(request, &format, answer) || !read_query(request, answer)) return false;
     request->render->format = format;
+    request->is_shareable = request->parts == ACCEPT_NO_PARTS;
     return true;
 }
 

@@ -150,6 +150,7 @@ bool renders_open(const struct service *service, struct request *request, struct
         problem_busy(answer, 1, REFUSAL_MEMORY);
         return false;
     }
+    request->is_shareable = true;
     request->has_answer = text_has_tag(request->if_none_match, tag_of(&request->answer_key).text);
     return !answer_kept(service, request, answer);
 }

@@ -19,6 +19,7 @@ enum {
 struct post {
     const struct daemon *daemon;
     const char *scene;
+    size_t number;
     pthread_t thread;
     struct reply reply;
     bool has_retry_after;
@@ -27,15 +28,18 @@ struct post {
 static void *run_post(void *argument)
 {
     struct post *post = argument;
-    post->reply = client_render(post->daemon, post->scene);
+    char type[64]; /* equal requests would share their work */
+    snprintf(type, sizeof type, JSON_TYPE ";number=%zu", post->number);
+    post->reply = client_send(post->daemon, "POST", "/v1/render", LIST(type), post->scene, strlen(post->scene));
     post->has_retry_after = atoi(reply_header(&post->reply, "Retry-After")) >= 1;
     return NULL;
 }
 
 static void begin_posts(struct post *posts, size_t count, const struct daemon *daemon, const char *scene)
 {
+    static size_t number;
     for (size_t i = 0; i < count; i++) {
-        posts[i] = (struct post){.daemon = daemon, .scene = scene};
+        posts[i] = (struct post){.daemon = daemon, .scene = scene, .number = number++};
         assert_int_equal(pthread_create(&posts[i].thread, NULL, run_post, &posts[i]), 0);
     }
 }

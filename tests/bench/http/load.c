@@ -19,6 +19,10 @@ enum { HEAD_SIZE = 4096, EVENTS = 256, PROBE_EVERY_MS = 20, SAMPLES_MAX = 1 << 2
 
 static const char HEALTH[] = "GET /healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
 
+/* The beginning of requests, up to their number. */
+enum { LOAD_HEAD_SIZE = 256 };
+#define NUMBER "; number="
+
 struct samples {
     double *ms;
     size_t count;
@@ -29,6 +33,8 @@ struct client {
     bool is_probe, busy, ends;
     const char *request;
     size_t size, sent;
+    char own[LOAD_HEAD_SIZE]; /* beginning of the request, with a number of its own */
+    size_t own_size;
     char head[HEAD_SIZE];
     size_t head_size, body_left;
     bool has_head;
@@ -77,8 +83,10 @@ static bool dial(struct run *run, struct client *client)
 static void write_more(struct client *client)
 {
     while (client->busy && client->sent < client->size) {
-        const ssize_t count =
-            send(client->fd, client->request + client->sent, client->size - client->sent, MSG_NOSIGNAL);
+        const bool is_own = client->sent < client->own_size;
+        const char *from = is_own ? client->own : client->request;
+        const size_t end = is_own ? client->own_size : client->size;
+        const ssize_t count = send(client->fd, from + client->sent, end - client->sent, MSG_NOSIGNAL);
         if (count <= 0) return; /* what it ended with is there to be read */
         client->sent += (size_t)count;
     }
@@ -175,6 +183,15 @@ static double percentile(struct samples *samples, double percent)
     return samples->ms[(size_t)((double)(samples->count - 1) * percent / 100.0)];
 }
 
+static void give_number(struct client *client, int number)
+{
+    const char *end = memmem(client->request, client->size, NUMBER, sizeof NUMBER - 1);
+    const size_t before = end ? (size_t)(end - client->request) + sizeof NUMBER - 1 : sizeof client->own;
+    if (before + 4 >= sizeof client->own) return;
+    memcpy(client->own, client->request, before);
+    client->own_size = before + (size_t)sprintf(client->own + before, "%04d", number % 10000);
+}
+
 static void prepare(struct run *run, double now)
 {
     const struct load *load = run->load;
@@ -185,6 +202,8 @@ static void prepare(struct run *run, double now)
                                                      .size = load->size,
                                                      .every_ms = every,
                                                      .turn_ms = now + every * i / load->connections};
+    for (int i = 0; i < run->count && !load->is_equal; i++)
+        give_number(&run->clients[i], i);
     if (load->probe)
         run->clients[run->count++] = (struct client){.fd = -1,
                                                      .is_probe = true,
@@ -264,10 +283,11 @@ static void take_processors(bool first)
 
 char *load_make_request(const char *target, const char *type, const void *body, size_t body_size, size_t *size)
 {
-    char head[256];
+    char head[LOAD_HEAD_SIZE];
     const int length =
-        snprintf(head, sizeof head, "POST %s HTTP/1.1\r\nHost: a\r\nContent-Type: %s\r\nContent-Length: %zu\r\n\r\n",
-                 target, type, body_size);
+        snprintf(head, sizeof head,
+                 "POST %s HTTP/1.1\r\nHost: a\r\nContent-Type: %s" NUMBER "0000\r\nContent-Length: %zu\r\n\r\n", target,
+                 type, body_size);
     char *request = malloc((size_t)length + body_size);
     if (!request) return NULL;
     memcpy(request, head, (size_t)length);

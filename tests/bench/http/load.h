@@ -16,7 +16,8 @@ struct load {
     size_t size;
     double per_second; /* requests of all together; 0: each the next as soon as it is answered */
     double seconds;
-    bool probe; /* beside them, GET /healthz on a new connection every 20 ms */
+    bool is_equal; /* requests of all connections are equal; else each has a number, since equal ones are drawn once */
+    bool probe;    /* beside them, GET /healthz on a new connection every 20 ms */
 };
 
 struct load_result {
@@ -25,7 +26,7 @@ struct load_result {
     double probe_p99_ms;            /* of /healthz; one that failed counts as 10 s */
 };
 
-/* Returns a whole POST of `type`, NULL if memory ran out; free it. */
+/* Returns a whole POST of `type`, with a number that load_run replaces, NULL if memory ran out; free it. */
 char *load_make_request(const char *target, const char *type, const void *body, size_t body_size, size_t *size);
 
 /* False, explained on stderr, where nobody listens. */

@@ -110,9 +110,29 @@ static bool measure_ready(const struct daemon *daemon, int connections, const st
     return true;
 }
 
+static const char EQUAL[] = "HTTP: bodies of 300 KB, 16 equal requests at once, against different ones";
+
+/* In turns, the best of some rounds each. */
+static bool measure_equal(struct load load, const struct sink *sink)
+{
+    double best[2] = {0, 0}; /* different, equal */
+    for (int i = 0; i < 2 * ROUNDS; i++) {
+        struct load_result result;
+        load.is_equal = i % 2;
+        if (!load_run(&load, &result)) return false;
+        if (result.served > best[i % 2]) best[i % 2] = result.served;
+    }
+    if (best[0] <= 0 || best[1] <= 0) return bench_complain("%s: nothing was served", EQUAL);
+    struct row row = {.bar = {4.0, 8.0}, .ours_ms = 1000.0 / best[1], .theirs_ms = 1000.0 / best[0]};
+    snprintf(row.work, sizeof row.work, "%s", EQUAL);
+    snprintf(row.note, sizeof row.note, "%.0f a second, %.0f different ones", best[1], best[0]);
+    sink_row(sink, &row);
+    return true;
+}
+
 struct task {
     const struct document *small, *large;
-    bool kept[KEPT], crowds[CROWDS], ready[READY];
+    bool kept[KEPT], crowds[CROWDS], ready[READY], equal;
 };
 
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
@@ -156,6 +176,13 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
         name_crowd(crowds[i], name, sizeof name);
         if (task->crowds[i]) ok = measure_row(load, peak, name, true, sink);
     }
+    if (ok && task->equal)
+        ok = measure_equal((struct load){.port = daemon.port,
+                                         .connections = PEAK_CONNECTIONS,
+                                         .request = large,
+                                         .size = large_size,
+                                         .seconds = SECONDS},
+                           sink);
     free(small);
     free(large);
     daemon_stop(&daemon);
@@ -201,6 +228,7 @@ void service_for_many(struct bench *bench)
         name_crowd(crowds[i], name, sizeof name);
         any |= task.crowds[i] = bench_wants(bench, name);
     }
+    any |= task.equal = bench_wants(bench, EQUAL);
     if (!any) return;
     if (!works_make(WORK_CUBE, bench->models, &work)) bench->results.failed = true;
     struct document small = work.corners ? document_indexed(&work.drawing, true) : (struct document){NULL, 0};

@@ -214,12 +214,14 @@ bool client_write(int fd, const char *bytes, size_t size)
 
 int client_begin_render(const struct daemon *daemon, const char *scene)
 {
+    static unsigned number;
     char head[256];
     int fd = client_connect(daemon);
     assert_true(fd >= 0);
     int length =
         snprintf(head, sizeof head,
-                 "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: %zu\r\n\r\n", strlen(scene));
+                 "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE ";number=%u\r\nContent-Length: %zu\r\n\r\n",
+                 number++, strlen(scene));
     assert_true(client_write(fd, head, (size_t)length));
     assert_true(client_write(fd, scene, strlen(scene)));
     return fd;

@@ -54,7 +54,8 @@ int client_connect(const struct daemon *daemon);
 /* Sends all of it; false, and no signal, where the other side takes no more. */
 bool client_write(int fd, const char *bytes, size_t size);
 
-/* Sends a render of a JSON scene and does not wait for its answer: the connection. */
+/* Sends a render of a JSON scene and does not wait for its answer: the connection. No two of them are equal requests,
+ * which share their work. */
 int client_begin_render(const struct daemon *daemon, const char *scene);
 
 /* Waits until /metrics has `line`; the running test fails where it has not in some seconds. `before` is sent ahead of
