@@ -7,6 +7,9 @@ enum { CREASE = ZR_FEATURE_WEAK | ZR_FEATURE_STRONG | ZR_FEATURE_CONVEX | ZR_FEA
 
 #define NO_LINK UINT32_MAX
 
+/* Creases of this share of the diagonal stay lines in any window: they are edges of parts, and no noise of scans. */
+static const double long_share = 1.0 / 64.0;
+
 /* Cosine of 50 degrees. */
 static const double turn_cosine = 0.64278760968653933;
 
@@ -165,6 +168,13 @@ static double length_of(const struct chaining *c, const struct crease *crease)
     return sqrt(x * x + y * y);
 }
 
+static bool is_long(const struct chaining *c, const struct crease *crease)
+{
+    const double *a = c->mesh->eyes[crease->vertices[0]], *b = c->mesh->eyes[crease->vertices[1]];
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2], least = long_share * c->mesh->view.diagonal;
+    return (x * x + y * y) + z * z >= least * least;
+}
+
 /* Walks from an end into its crease and on, and calls for each crease. Returns the last end; in a ring, the one before
  * the first. */
 static uint32_t walk(struct chaining *c, uint32_t end, struct chain *chain, bool keep)
@@ -177,7 +187,7 @@ static uint32_t walk(struct chaining *c, uint32_t end, struct chain *chain, bool
         chain->count++;
         chain->length += length_of(c, crease);
         chain->is_strong = chain->is_strong || crease->features & ZR_FEATURE_STRONG;
-        chain->is_long = chain->is_long || crease->features & ZR_FEATURE_LONG;
+        chain->is_long = chain->is_long || is_long(c, crease);
         const uint32_t other = end ^ 1u, next = crease->links[other % 2];
         if (next == NO_LINK || next == first) return other;
         end = next;

@@ -8,9 +8,6 @@
 #include "lines/intersections.h"
 #include "mesh/mesh_tables.h"
 
-/* Creases of this share of the diagonal stay lines in any window: they are edges of parts, and no noise of scans. */
-#define LONG_SHARE (1.0 / 64.0)
-
 /* Runs the stage unless an earlier one failed. */
 #define STAGE(call)                                                                                                    \
     if (status == ZR_OK) status = (call)
@@ -38,9 +35,7 @@ static enum zr_status make_tables(const struct making *m, struct zr_edge_mesh **
 
 static enum zr_status find_features(const struct making *m, const struct zr_window_mesh *mesh, uint8_t **features)
 {
-    struct zr_feature_rule rule = m->desc->rule;
-    rule.long_edge = LONG_SHARE * mesh->view.diagonal;
-    *features = zr_features_find(m->run, mesh, &rule);
+    *features = zr_features_find(m->run, mesh, &m->desc->rule);
     return zr_is_cancelled(m->run->cancel) ? ZR_CANCELLED : *features ? ZR_OK : ZR_NO_MEMORY;
 }
 

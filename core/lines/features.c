@@ -20,7 +20,6 @@ struct finding {
     const struct zr_cancel *cancel;
     float weak_cosine, strong_cosine;
     bool ignores_normals, keeps_noise;
-    double long_edge;
     const struct zr_edge_mesh *first_table; /* of all instances */
     const uint8_t *const *noise;            /* by number of the table: a byte per edge, or NULL */
     uint8_t *features;
@@ -137,14 +136,6 @@ static bool is_noise(const struct finding *f, const struct edge *edge)
     return !f->keeps_noise && noise && noise[edge->number];
 }
 
-static bool is_long(const struct finding *f, const struct edge *edge)
-{
-    const double *low = f->mesh->eyes[edge->of->first_vertex + edge->low],
-                 *high = f->mesh->eyes[edge->of->first_vertex + edge->high];
-    const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return f->long_edge > 0.0 && (x * x + y * y) + z * z >= f->long_edge * f->long_edge;
-}
-
 static unsigned features_of_two(const struct finding *f, const struct edge *edge)
 {
     const float *a = f->mesh->normals[triangle_of(edge, 0)], *b = f->mesh->normals[triangle_of(edge, 1)];
@@ -161,8 +152,15 @@ static unsigned features_of_two(const struct finding *f, const struct edge *edge
     features |= ZR_FEATURE_WEAK;
     if (cosine < f->strong_cosine - rounding) features |= ZR_FEATURE_STRONG;
     if (height(f, edge, 0, 1) < 0.0) features |= ZR_FEATURE_CONVEX;
-    if (is_long(f, edge)) features |= ZR_FEATURE_LONG;
     return features;
+}
+
+/* ---- one triangle ---- */
+
+static unsigned features_of_one(const struct finding *f, const struct edge *edge)
+{
+    return f->ignores_normals || edge->of->mesh->normal_count == 0 ? ZR_FEATURE_BORDER
+                                                                   : ZR_FEATURE_BORDER | ZR_FEATURE_SMOOTH;
 }
 
 /* ---- three and more ---- */
@@ -187,14 +185,45 @@ static bool go_on(const struct finding *f, const struct edge *edge, uint32_t a, 
     return true;
 }
 
+/* Returns on which side of the edge a triangle lies in the window, by the sign; 0 if the eye is in its plane. */
+static double window_side(const struct finding *f, const struct edge *edge, uint32_t i)
+{
+    const double *low = f->mesh->eyes[edge->of->first_vertex + edge->low],
+                 *high = f->mesh->eyes[edge->of->first_vertex + edge->high], *corner = f->mesh->eyes[opposite(edge, i)],
+                 *eye = f->mesh->view.eye;
+    double along[3], to_eye[3], to[3];
+    for (int k = 0; k < 3; k++) {
+        along[k] = high[k] - low[k];
+        to_eye[k] = eye[3] != 0.0 ? eye[k] - low[k] : eye[k];
+        to[k] = corner[k] - low[k];
+    }
+    return (to[0] * (along[1] * to_eye[2] - along[2] * to_eye[1]) +
+            to[1] * (along[2] * to_eye[0] - along[0] * to_eye[2])) +
+           to[2] * (along[0] * to_eye[1] - along[1] * to_eye[0]);
+}
+
+/* True if the window shows no triangle beyond the edge. */
+static bool is_on_one_side(const struct finding *f, const struct edge *edge)
+{
+    bool has_left = false, has_right = false;
+    for (uint32_t i = 0; i < edge->count; i++) {
+        const double side = window_side(f, edge, i);
+        has_left |= side > 0.0;
+        has_right |= side < 0.0;
+    }
+    return has_left != has_right;
+}
+
 static unsigned features_of_more(const struct finding *f, const struct edge *edge)
 {
     const unsigned strong = ZR_FEATURE_WEAK | ZR_FEATURE_STRONG | ZR_FEATURE_MORE;
-    if (edge->count > FEW_SIDES || is_of_cap(edge)) return strong;
+    if (edge->count > FEW_SIDES) return strong;
+    const unsigned contour = is_on_one_side(f, edge) ? ZR_FEATURE_CONTOUR : 0;
+    if (is_of_cap(edge)) return strong | contour;
     for (uint32_t a = 0; a < edge->count; a++)
         for (uint32_t b = a + 1; b < edge->count; b++)
-            if (go_on(f, edge, a, b)) return 0;
-    return strong;
+            if (go_on(f, edge, a, b)) return contour;
+    return strong | contour;
 }
 
 /* ---- all edges ---- */
@@ -222,7 +251,7 @@ static void find_range(void *context, size_t begin, size_t end)
         while (e - f->mesh->instances[i].first_edge >= f->mesh->instances[i].table->edge_count)
             i++;
         const struct edge edge = edge_of(f, &f->mesh->instances[i], e - f->mesh->instances[i].first_edge);
-        unsigned features = edge.count == 1 ? ZR_FEATURE_BORDER : 0;
+        unsigned features = edge.count == 1 ? features_of_one(f, &edge) : 0;
         if (edge.count == 2) features = features_of_two(f, &edge);
         if (edge.count > 2) features = features_of_more(f, &edge);
         if (is_of_cap(&edge)) features |= ZR_FEATURE_CUT;
@@ -264,7 +293,6 @@ uint8_t *zr_features_find(const struct zr_run *run, const struct zr_window_mesh 
                         .strong_cosine = (float)strong_cosine,
                         .ignores_normals = rule->ignores_normals,
                         .keeps_noise = rule->keeps_noise,
-                        .long_edge = rule->long_edge,
                         .features = zr_arena_alloc(run->arena, mesh->edge_count, sizeof *f.features)};
     if (!f.features) return NULL;
     if (mesh->instance_count > 0 && !find_noise(run, &f, rule->crease_degrees)) return NULL;

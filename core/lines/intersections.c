@@ -158,7 +158,7 @@ static bool line_of(const struct seeking *s, uint32_t a, uint32_t b, uint32_t ce
     const uint32_t column = zr_cell_at(0.5 * (line->ends[0].x + line->ends[1].x), s->cells->columns),
                    row = zr_cell_at(0.5 * (line->ends[0].y + line->ends[1].y), s->cells->rows);
     line->kind = ZR_LINE_INTERSECTION;
-    line->is_sharp = line->is_weak = line->is_cut = false;
+    line->is_sharp = line->is_weak = line->is_cut = line->is_smooth = false;
     line->triangles[0] = zr_hider_source(s->mesh, a);
     line->triangles[1] = zr_hider_source(s->mesh, b);
     return row * s->cells->columns + column == cell;

@@ -3,13 +3,16 @@
 #include "base/cancel.h"
 #include "base/run.h"
 #include "lines/cells.h"
+#include "mesh/face_normals.h"
 
 enum { PIECES_PER_RANGE = 64, LINES_PER_CANCEL_CHECK = 1 << 12, WEAK_PIXELS = 6 };
 
 /* Distances of probes from a line, in pixels, and the tolerances of seams. */
 static const double beside = 1.0, seam = 0.1, weak_beside = 3.0, seam_depth = 0.1, step_least = 1.0;
-static const float seam_cosine = 0.99756405f; /* 4 degrees */
-static const float weak_cosine = 0.86602540f; /* 30 degrees */
+static const double patch_depth = 0.25;
+static const float seam_cosine = 0.99756405f;   /* 4 degrees */
+static const float weak_cosine = 0.86602540f;   /* 30 degrees */
+static const float agreed_cosine = 0.98480775f; /* 10 degrees, as in features.c */
 
 struct making {
     const struct zr_window_mesh *mesh;
@@ -227,10 +230,46 @@ static bool is_inside_cap(const struct making *m, const struct middle *at)
     return face_of(m, left, &a) == face_of(m, right, &b) && a == b;
 }
 
+/* Returns the normal of the file at a point of a triangle, between those of its corners; 0 if one has none. */
+static zr_vec3 given_normal_at(const struct making *m, const struct zr_drawn_instance *of, uint32_t triangle,
+                               const struct middle *at)
+{
+    const size_t own = triangle - of->first_triangle;
+    const struct zr_window_point *p[3];
+    zr_vec3 sum = {0.0f, 0.0f, 0.0f};
+    for (size_t k = 0; k < 3; k++)
+        p[k] = &m->mesh->points[of->first_vertex + of->table->corners[3 * own + k]];
+    for (size_t k = 0; k < 3; k++) {
+        const struct zr_mesh *mesh = of->mesh;
+        const uint32_t slot = of->table->slots[3 * own + k];
+        const zr_vec3 normal = mesh->normals[mesh->normal_indices ? mesh->normal_indices[slot] : mesh->indices[slot]];
+        if (zr_normal_is_zero(normal)) return normal;
+        const float share =
+            (float)(side_of(p[(k + 1) % 3], p[(k + 2) % 3], at->x, at->y) / side_of(p[0], p[1], p[2]->x, p[2]->y));
+        sum = zr_vec3_add(sum, zr_vec3_scale(zr_vec3_normalize(normal), share));
+    }
+    return zr_vec3_normalize(sum);
+}
+
+/* True if a border is a seam between patches of a smooth surface that share no corners: triangles of the same instance
+ * lie on both sides, without a step, and the normals of the file agree. */
+static bool is_patch_seam(const struct making *m, const struct middle *at)
+{
+    const uint32_t left = probe(m, at, beside).hider, right = probe(m, at, -beside).hider;
+    const struct zr_drawn_instance *a, *b;
+    if (left >= m->mesh->triangle_count || right >= m->mesh->triangle_count) return false;
+    if (fabs(plane_depth(m->mesh, left, at->x, at->y) - plane_depth(m->mesh, right, at->x, at->y)) >= patch_depth)
+        return false;
+    face_of(m, left, &a);
+    face_of(m, right, &b);
+    return a == b && zr_vec3_dot(given_normal_at(m, a, left, at), given_normal_at(m, a, right, at)) >= agreed_cosine;
+}
+
 static bool is_seam(const struct making *m, const struct zr_line_piece *piece, const struct middle *at)
 {
     const struct zr_line *line = &m->lines->at[piece->line];
     if (piece->is_cut) return is_inside_cap(m, at);
+    if (line->is_smooth) return is_patch_seam(m, at);
     if (piece->kind != ZR_LINE_CREASE && piece->kind != ZR_LINE_INTERSECTION) return false;
     if (is_one_plane(m, at, probe(m, at, seam).hider, probe(m, at, -seam).hider)) return true;
     return line->is_weak && length_of(line) < WEAK_PIXELS && is_faint(m, at);

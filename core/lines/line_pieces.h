@@ -6,7 +6,9 @@
  *         - contours: the step, from the line to the nearest triangle 1 pixel outside, also near both ends;
  *         - seams: a crease or intersection is dropped if one plane (4 degrees, 0.1 pixel) lies 0.1 pixel to both
  *           sides, as of coincident walls of parts that overlap. Weak creases below 6 pixels are also dropped if the
- *           normals 3 pixels to both sides are within 30 degrees, without a step.
+ *           normals 3 pixels to both sides are within 30 degrees, without a step. A border is dropped if its instance
+ *           goes on 1 pixel to both sides, without a step (0.25 pixel) and with normals of the file that agree within
+ *           10 degrees: patches of CAD faces that share no corners.
  * Exact:  pieces are in the order of lines; the same for any number of threads. */
 #ifndef ZR_LINE_PIECES_H
 #define ZR_LINE_PIECES_H

@@ -92,7 +92,8 @@ static bool make_line(const struct zr_window_mesh *mesh, const struct zr_drawn_i
                                                                   : ZR_LINE_CONTOUR,
                              .is_sharp = features & ZR_FEATURE_CONTOUR && features & ZR_FEATURE_WEAK,
                              .is_weak = features & ZR_FEATURE_WEAK && !(features & ZR_FEATURE_STRONG),
-                             .is_cut = (features & ZR_FEATURE_CUT) != 0};
+                             .is_cut = (features & ZR_FEATURE_CUT) != 0,
+                             .is_smooth = (features & ZR_FEATURE_SMOOTH) != 0};
     if (mesh->outside[from] & mesh->outside[to]) return false;
     if (mesh->outside[from] | mesh->outside[to]) {
         if (!cut_by_planes(mesh, of, vertices, line->ends)) return false;

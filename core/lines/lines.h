@@ -17,6 +17,7 @@ struct zr_line {
     bool is_sharp;         /* a crease that is a contour as well */
     bool is_weak;          /* a crease without ZR_FEATURE_STRONG */
     bool is_cut;           /* of a cap */
+    bool is_smooth;        /* ZR_FEATURE_SMOOTH */
 };
 
 struct zr_lines {

@@ -96,6 +96,33 @@ TEST(a_face_behind_a_plane_makes_no_line_and_one_before_it_does)
     assert_int_equal(count(&before, find(&before, NULL, &usual), ZR_FEATURE_MORE, ZR_FEATURE_MORE), 1);
 }
 
+/* Two quads that bend by 20 degrees at an edge, twice, wound both ways. Seen from (1, 1, 1), both
+ * lie below the edge in the window in the first row, and one above it in the second. */
+static uint32_t count_of_four(const struct drawn_model *model, unsigned mask)
+{
+    const uint8_t *features = find(model, NULL, &usual);
+    uint32_t found = 0;
+    for (uint32_t e = 0; e < model->mesh.edge_count; e++)
+        found += zr_edge_side_count(&model->tables[0], e) == 4 && features[e] & mask;
+    return found;
+}
+
+TEST(edges_of_doubled_faces_are_contours_where_all_faces_lie_on_one_side)
+{
+    static const char faces[] = "f 1 2 4 3\nf 3 4 2 1\nf 1 5 6 2\nf 2 6 5 1\n";
+    char text[512];
+    static const struct {
+        const char *corners;
+        uint32_t contours;
+    } rows[] = {{"v -.497 -.497 -.71\nv .503 -1.497 -.71\n", 1}, {"v -.568 -.568 -.1\nv .432 -1.568 -.1\n", 0}};
+    for (size_t i = 0; i < 2; i++) {
+        snprintf(text, sizeof text, "v 0 0 0\nv 1 -1 0\nv .639 .639 .427\nv 1.639 -.361 .427\n%s%s", rows[i].corners,
+                 faces);
+        const struct drawn_model ridge = draw(text);
+        assert_int_equal(count_of_four(&ridge, ZR_FEATURE_CONTOUR), rows[i].contours);
+    }
+}
+
 TEST(culled_faces_leave_borders)
 {
     const struct drawn_model cube =

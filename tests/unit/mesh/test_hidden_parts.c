@@ -313,7 +313,8 @@ TEST(pieces_that_touch_make_no_line)
 
 /* ---- chains ---- */
 
-/* A fan of strips bent by 40 degrees (weak) or 60 degrees (strong), `pixels` long. */
+/* Two strips that bend by 40 degrees (weak) or 60 degrees (strong) at a crease of `pixels`, and triangles far away, beside
+ * which no crease is long. */
 static uint32_t creases_of_bend(double pixels, double degrees)
 {
     char text[512];
@@ -321,8 +322,9 @@ static uint32_t creases_of_bend(double pixels, double degrees)
     snprintf(text, sizeof text,
              "{\"view\": {\"preset\": \"front\", \"orthographic\": {\"xmag\": 2, \"ymag\": 1.5}}, \"meshes\": "
              "[{\"positions\": "
-             "[[-1,0,0],[0,0,0],[%.9f,0,%.9f],[-1,%.9f,0],[0,%.9f,0],[%.9f,%.9f,%.9f]], "
-             "\"faces\": [[0,1,4,3],[1,2,5,4]]}]}",
+             "[[-1,0,0],[0,0,0],[%.9f,0,%.9f],[-1,%.9f,0],[0,%.9f,0],[%.9f,%.9f,%.9f],[50,0,0],[51,0,0],[50,1,0],[-50,"
+             "0,0],[-51,0,0],[-50,1,0]], "
+             "\"faces\": [[0,1,4,3],[1,2,5,4],[6,7,8],[9,10,11]]}]}",
              x, -z, s, s, x, s, -z);
     const struct drawing d = draw_text(text);
     return count_kind(&d, ZR_LINE_CREASE);
