@@ -27,9 +27,10 @@ struct chaining {
     uint8_t *features;
     uint32_t count;
     struct crease *creases;
-    uint32_t *ends;   /* by vertex, and one more: end of its list; then its begin */
-    uint32_t *listed; /* numbers of ends, by vertex */
-    bool *is_touched; /* by vertex: a line that stays ends there */
+    uint32_t *ends;    /* by vertex, and one more: end of its list; then its begin */
+    uint32_t *listed;  /* numbers of ends, by vertex */
+    bool *is_touched;  /* by vertex: a line that stays ends there */
+    uint32_t *borders; /* by vertex: borders that end there */
 };
 
 static bool is_due(const struct chaining *c, size_t i)
@@ -74,12 +75,15 @@ static void touch(struct chaining *c, uint32_t edge, const uint32_t vertices[2])
 {
     (void)edge;
     c->is_touched[vertices[0]] = c->is_touched[vertices[1]] = true;
+    c->borders[vertices[0]]++;
+    c->borders[vertices[1]]++;
 }
 
 static bool list_creases(struct zr_arena *arena, struct chaining *c)
 {
     c->ends = zr_arena_zero(arena, (size_t)c->mesh->vertex_count + 1, sizeof *c->ends);
     c->is_touched = zr_arena_zero(arena, c->mesh->vertex_count, sizeof *c->is_touched);
+    c->borders = zr_arena_zero(arena, c->mesh->vertex_count, sizeof *c->borders);
     if (!zr_arena_ok(arena)) return false;
     each_edge(c, ZR_FEATURE_WEAK, count_crease);
     c->creases = zr_arena_alloc(arena, c->count, sizeof *c->creases);
@@ -194,6 +198,17 @@ static uint32_t walk(struct chaining *c, uint32_t end, struct chain *chain, bool
     }
 }
 
+static void drop_chain(struct chaining *c, uint32_t end)
+{
+    const uint32_t first = end;
+    for (;;) {
+        c->creases[end / 2].is_kept = false;
+        const uint32_t next = c->creases[end / 2].links[1 - end % 2];
+        if (next == NO_LINK || next == first) return;
+        end = next;
+    }
+}
+
 /* Returns the first end of the chain of a crease; any end of a ring. */
 static uint32_t first_end(const struct chaining *c, uint32_t crease)
 {
@@ -264,6 +279,45 @@ static uint32_t keep_between(struct chaining *c, uint32_t *doubtful, uint32_t co
     return kept > 0 ? left : 0;
 }
 
+/* ---- free ends ---- */
+
+/* Counts the ends of borders and of creases that stay, by vertex. */
+static void count_ends(const struct chaining *c, uint32_t *counts)
+{
+    memcpy(counts, c->borders, c->mesh->vertex_count * sizeof *counts);
+    for (uint32_t i = 0; i < c->count; i++) {
+        if (!c->creases[i].is_kept) continue;
+        counts[c->creases[i].vertices[0]]++;
+        counts[c->creases[i].vertices[1]]++;
+    }
+}
+
+/* True if a chain ends in smooth skin: a weak one at an end, a strong one at both. */
+static bool is_free(struct chaining *c, uint32_t first, const uint32_t *counts)
+{
+    struct chain chain = {0};
+    const uint32_t last = walk(c, first, &chain, false);
+    if (c->creases[first / 2].links[first % 2] != NO_LINK) return false; /* a ring */
+    const bool begins = counts[vertex_of(c, first)] == 1, ends = counts[vertex_of(c, last)] == 1;
+    return chain.is_strong ? begins && ends : begins || ends;
+}
+
+/* Drops the chains that are free. Returns their number. */
+static uint32_t drop_free(struct chaining *c, const uint32_t *counts)
+{
+    uint32_t dropped = 0;
+    for (uint32_t i = 0; i < c->count; i++)
+        c->creases[i].is_seen = false;
+    for (uint32_t i = 0; i < c->count && !is_due(c, i); i++) {
+        if (c->creases[i].is_seen || !c->creases[i].is_kept) continue;
+        const uint32_t first = first_end(c, i);
+        if (!is_free(c, first, counts)) continue;
+        drop_chain(c, first);
+        dropped++;
+    }
+    return dropped;
+}
+
 enum zr_status zr_chains_keep(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_window_mesh *mesh,
                               uint8_t *features)
 {
@@ -271,10 +325,15 @@ enum zr_status zr_chains_keep(struct zr_arena *arena, const struct zr_cancel *ca
     struct zr_arena scratch = zr_arena_open_scratch(arena);
     if (list_creases(&scratch, &c)) {
         uint32_t *doubtful = zr_arena_alloc(&scratch, c.count, sizeof *doubtful);
+        uint32_t *counts = zr_arena_alloc(&scratch, mesh->vertex_count, sizeof *counts);
         link_creases(&c);
         uint32_t count = doubtful ? judge(&c, doubtful) : 0;
         for (int round = 0; round < ROUNDS && count > 0 && !zr_is_cancelled(cancel); round++)
             count = keep_between(&c, doubtful, count);
+        for (int round = 0; counts && round < ROUNDS && !zr_is_cancelled(cancel); round++) {
+            count_ends(&c, counts);
+            if (drop_free(&c, counts) == 0) break;
+        }
         for (uint32_t i = 0; i < c.count; i++)
             if (!c.creases[i].is_kept) features[c.creases[i].edge] &= (uint8_t)~CREASE;
     }

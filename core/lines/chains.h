@@ -2,9 +2,11 @@
  *
  * Space:  lengths in fine pixels (window_view.h); turns in eye space.
  * How:    creases are linked at vertices, the straightest pair first, if they turn by at most 50 degrees and are both
- *         convex or both concave. A chain stays if it has a long crease, a strong crease and 12 pixels, or 72 pixels.
- *         Strong chains of one or two edges stay as well if both ends touch a border or a crease that stays; up to 8
- *         rounds.
+ *         convex or both concave. A chain stays if it has a crease of 1/64 of the diagonal of the bounds, a strong
+ *         crease and 12 pixels, or 72 pixels. Strong chains of one or two edges stay as well if both ends touch a
+ *         border or a crease that stays; up to 8 rounds.
+ * Free:   an end is free if no border and no other crease that stays ends there: the surface becomes smooth. Chains
+ *         without a strong crease go if an end is free, others if both are; up to 8 rounds. Rings have no ends.
  * Exact:  the same for any number of threads. */
 #ifndef ZR_CHAINS_H
 #define ZR_CHAINS_H

@@ -14,10 +14,9 @@ struct drawn {
     double scale; /* pixels per unit */
 };
 
-/* Draws an OBJ file by parallel rays along -z. */
-static struct drawn draw(const char *text)
+/* Draws a scene by parallel rays along a direction. */
+static struct drawn draw(const struct zr_scene *scene, zr_vec3 direction)
 {
-    const struct zr_scene *scene = model_of_text(&arena, text, "technical");
     const struct zr_bounds bounds = zr_bounds_of(scene, NULL, NULL);
     struct zr_view view = scene->views[0];
     struct zr_camera camera;
@@ -25,7 +24,7 @@ static struct drawn draw(const char *text)
     struct zr_drawing drawing;
     view.width = view.height = SIDE;
     view.pose = ZR_POSE_DIRECTION;
-    view.direction = (zr_vec3){0, 0, -1};
+    view.direction = direction;
     view.up = (zr_vec3){0, 1, 0};
     view.projection = ZR_PROJECTION_ORTHOGRAPHIC;
     assert_int_equal(zr_camera_resolve(&(struct zr_run){.error = &error}, scene, &view, &bounds, &camera), ZR_OK);
@@ -42,7 +41,7 @@ static struct drawn draw(const char *text)
 /* Returns the length of all lines in units of the model. */
 static double length_of(const char *text)
 {
-    const struct drawn drawn = draw(text);
+    const struct drawn drawn = draw(model_of_text(&arena, text, "technical"), (zr_vec3){0, 0, -1});
     double sum = 0.0;
     for (uint32_t i = 0; i < drawn.lines.count; i++)
         for (uint32_t k = 1; k < drawn.lines.at[i].count; k++) {
@@ -76,6 +75,96 @@ TEST(borders_without_normals_of_the_file_are_lines)
 {
     assert_true(length_of("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 .5 0\nv 1 .5 0\nv 2 1 0\nf 1 2 3 4\n"
                           "f 2 5 6 7\nf 7 6 8 3\n") > 6.9);
+}
+
+/* ---- free ends ---- */
+
+enum { ROWS = 9 };
+
+/* A roof of two strips along y from 0 to 8, whose quads meet at about degrees[i] at y = i. */
+static const char *roof(const double degrees[ROWS])
+{
+    static char text[4096];
+    size_t used = 0;
+    for (int i = 0; i < ROWS; i++) {
+        const double fall = tan(degrees[i] * 0.5 * 0.017453292519943295);
+        used += (size_t)snprintf(text + used, sizeof text - used, "v -1 %d %.9g\nv 0 %d 0\nv 1 %d %.9g\n", i, -fall, i,
+                                 i, -fall);
+    }
+    for (int i = 0; i + 1 < ROWS; i++) {
+        const int a = 3 * i + 1;
+        used += (size_t)snprintf(text + used, sizeof text - used, "f %d %d %d %d\nf %d %d %d %d\n", a, a + 1, a + 4,
+                                 a + 3, a + 1, a + 2, a + 5, a + 4);
+    }
+    return text;
+}
+
+/* Returns the length of the ridge that is drawn. The border has 20. */
+static double ridge_of(const double degrees[ROWS])
+{
+    return length_of(roof(degrees)) - 20.0;
+}
+
+TEST(weak_creases_with_a_free_end_are_no_lines)
+{
+    const double within[ROWS] = {10, 10, 38, 38, 38, 38, 10, 10, 10}, at_border[ROWS] = {38, 38, 38, 38, 10, 10, 10},
+                 whole[ROWS] = {38, 38, 38, 38, 38, 38, 38, 38, 38};
+    assert_true(fabs(ridge_of(within)) < 0.1);
+    assert_true(fabs(ridge_of(at_border)) < 0.1);
+    assert_true(fabs(ridge_of(whole) - 8.0) < 0.1);
+}
+
+TEST(strong_creases_with_two_free_ends_are_no_lines)
+{
+    const double within[ROWS] = {10, 10, 60, 60, 60, 60, 10, 10, 10}, at_border[ROWS] = {60, 60, 60, 60, 10, 10, 10};
+    assert_true(fabs(ridge_of(within)) < 0.1);
+    assert_true(ridge_of(at_border) > 2.9);
+}
+
+/* Returns the distance of a point from the segment between two others. */
+static double distance_of(const double p[2], const double from[2], const double to[2])
+{
+    const double x = to[0] - from[0], y = to[1] - from[1], square = x * x + y * y;
+    double t = square > 0.0 ? ((p[0] - from[0]) * x + (p[1] - from[1]) * y) / square : 0.0;
+    t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+    return hypot(p[0] - from[0] - t * x, p[1] - from[1] - t * y);
+}
+
+/* True if no line but `own` passes within half a pixel. */
+static bool is_alone(const struct zr_polylines *lines, uint32_t own, const double p[2])
+{
+    for (uint32_t i = 0; i < lines->count; i++)
+        for (uint32_t k = 1; i != own && k < lines->at[i].count; k++) {
+            const double *from = lines->points[lines->at[i].first + k - 1];
+            if (distance_of(p, from, from + 2) <= 0.5) return false;
+        }
+    return true;
+}
+
+/* Counts the free ends of lines that are no outlines. */
+static uint32_t free_ends_of(const struct zr_polylines *lines)
+{
+    uint32_t found = 0;
+    for (uint32_t i = 0; i < lines->count; i++) {
+        const struct zr_polyline *line = &lines->at[i];
+        const double *first = lines->points[line->first], *last = lines->points[line->first + line->count - 1];
+        if (line->class != ZR_STROKE_INNER || (first[0] == last[0] && first[1] == last[1])) continue;
+        found += is_alone(lines, i, first);
+        found += is_alone(lines, i, last);
+    }
+    return found;
+}
+
+TEST(creases_of_models_have_no_free_ends)
+{
+    static const char *const names[] = {"spot.obj", "parts/gear.obj", "parts/housing.obj", "parts/plate.obj"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const struct zr_scene *scene = model_of_file(&arena, names[i], "technical");
+        if (!scene) return;
+        const struct drawn drawn = draw(scene, (zr_vec3){-1, -0.8f, -1.2f});
+        print_message("%s: %u free ends\n", names[i], free_ends_of(&drawn.lines));
+        assert_int_equal(free_ends_of(&drawn.lines), 0);
+    }
 }
 
 RUN_TESTS(open_arena, close_arena)
