@@ -9,8 +9,8 @@
 #include <emmintrin.h>
 #endif
 
-/* Shading needs 0.2 MB of stack, and ThreadSanitizer takes most of one MB. */
-enum { STACK_BYTES = 2 << 20, YIELDS = 100, LINGERING_YIELDS = 200, PARTS_PER_THREAD = 3 };
+/* Shading needs 1.5 MB of stack, and ThreadSanitizer takes most of one MB. */
+enum { STACK_BYTES = 3 << 20, YIELDS = 100, LINGERING_YIELDS = 200, PARTS_PER_THREAD = 3 };
 
 /* Lives on the stack of its caller, which returns only when `inside` is 0. */
 struct job {

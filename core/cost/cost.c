@@ -15,6 +15,7 @@
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
 #include "raster/tile.h"
+#include "render/backdrop.h"
 #include "render/frame_parts.h"
 #include "render/layer_surfaces.h"
 #include "render/layers.h"
@@ -173,6 +174,13 @@ static double bytes_of_cells(const struct zr_view *view, double pixels, double f
     return cells * (pixels * CELL_BYTES + fmin(fragments, pixels) * (double)sizeof(struct zr_cell_entry));
 }
 
+/* True if glass shows a picture of the other surfaces, which is drawn first. */
+static bool refracts(const struct zr_scene *scene)
+{
+    return scene->picture->is_linear && zr_background_is_opaque(scene) &&
+           zr_any_refracts(scene->materials, scene->material_count);
+}
+
 static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept, double fragments)
 {
     const struct zr_picture *picture = scene->picture;
@@ -187,6 +195,7 @@ static double window_bytes(const struct zr_scene *scene, const struct passes *pa
         sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
     if (passes->samples == 0.0 || !picture->is_linear) return sum;
     sum += pixels * LINEAR_BYTES + bytes_of_lamp_maps(passes->lamp_maps);
+    if (refracts(scene)) sum += zr_backdrop_bytes(pixels);
     if (picture->occlusion.is_on) sum += (GBUFFER_ARRAYS + OCCLUSION_ARRAYS) * WORD_BYTES * pixels;
     if (draws_lines(picture))
         sum += pixels * WORD_BYTES + bytes_of_cells(view, pixels, fragments);
@@ -382,7 +391,7 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     const double pixels = sample->width * sample->height, samples = pixels * passes->side * passes->side;
     const double scale = sample->scale, drawn = passes->centres + passes->samples * passes->side * passes->side;
     const double times = drawn * scale * TIMES[scene->algorithm].fragment;
-    const double depth = scale * sample->layered / pixels;
+    const double depth = scale * sample->layered / pixels, repeats = refracts(scene) ? 2.0 : 1.0;
     counts[ZR_COST_TRIANGLE] += 2.0 * (passes->centres + passes->samples) * scale * sample->outlines;
     counts[ZR_COST_RUN] =
         scale * sample->runs * (passes->centres + passes->maps + passes->samples * (1.0 + 0.5 * passes->side));
@@ -396,7 +405,7 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     if (passes->samples > 0.0 && picture->is_linear && draws_lines(picture))
         counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
     const double layer_times = are_surfaces_lit(scene) ? LAYER_SURFACE_TIMES : 1.0;
-    counts[ZR_COST_LAYER] = layer_times * drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
+    counts[ZR_COST_LAYER] = layer_times * repeats * drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
     counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
@@ -406,10 +415,11 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
         line_times(scene, passes) * fine_pixels(sample->width, sample->height) * scale * sample->fragments;
     count_line_pairs(sample, line_times(scene, passes), counts);
     if (!zr_view_has_pixels(&scene->views[0], ZR_CHANNEL_COLOR)) return;
-    /* Shading runs once per covered sample or surface of a pixel, and once per translucent fragment. */
+    /* Shading runs once per covered sample or surface of a pixel, and once per translucent fragment. If
+     * glass refracts, layers are drawn again, with the samples behind them. */
     const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;
     const double lit_a_pixel = are_surfaces_lit(scene) ? SURFACES_A_PIXEL : side_squared;
-    const double shaded = fmin(scale * sample->fragments, pixels) + scale * sample->layered;
+    const double shaded = fmin(scale * sample->fragments, pixels) + (2.0 * repeats - 1.0) * scale * sample->layered;
     const double share = sample->fragments > 0.0 ? lit_a_pixel * shaded / sample->fragments : 0.0;
     counts[ZR_COST_LIT_SAMPLE] = share * sample->lit;
     counts[ZR_COST_LAMP_SAMPLE] = share * sample->lamps;

@@ -25,6 +25,14 @@ struct zr_post_desc {
 
 void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *desc, const struct zr_cancel *cancel);
 
+/* Writes each pixel over the background: linear red, green and blue, and 1, without ink, encoding and dithering, in
+ * rows of light->width. The background must be opaque. */
+void zr_finish_compose(struct zr_team *team, const struct zr_post_desc *desc, const struct zr_cancel *cancel,
+                       float (*out)[4]);
+
+/* True if no pixel of the picture is transparent. */
+bool zr_background_is_opaque(const struct zr_scene *scene);
+
 /* Input of one row. `background`: linear red, green and blue, and opacity. `share`: the ground's T per pixel, or NULL.
  * `ink`: opacities of the linear `ink_color`, or NULL. `dither`: added to encoded values of pixels x with cover 0, from
  * [x & 15] on, of period 4, or NULL. The kernel reads up to 15 values past the end of each array but this. */

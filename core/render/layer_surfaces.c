@@ -275,6 +275,18 @@ static void light_steep(const struct zr_layer_light *light, const struct zr_tile
     }
 }
 
+static void leave_glass(const struct zr_layer_light *light, struct zr_layer_surfaces *surfaces)
+{
+    for (uint32_t pixel = 0; pixel < PIXELS; pixel++) {
+        uint32_t hidden = 0;
+        for (uint32_t i = surfaces->first[pixel + 1]; i-- > surfaces->first[pixel];) {
+            struct zr_layer_surface *s = &surfaces->at[(uint32_t)surfaces->order[i]];
+            if (zr_material_refracts(zr_draw_of(light->tiles->geometry, s->owner - 1)->material)) hidden |= s->mask;
+            if (s->mask & hidden) s->color[3] = 0.0f;
+        }
+    }
+}
+
 void zr_layer_surfaces_light(const struct zr_layer_light *light, const struct zr_tile *tile,
                              const struct zr_cancel *cancel, struct zr_surfaces *list, struct zr_sample_room *room,
                              struct zr_layer_surfaces *surfaces)
@@ -285,4 +297,5 @@ void zr_layer_surfaces_light(const struct zr_layer_light *light, const struct zr
     }
     if (light->has_xrays) light_steep(light, tile, cancel, list, room, surfaces);
     put_in_order(surfaces, by_depth, cancel);
+    if (light->leaves_glass && !zr_is_cancelled(cancel)) leave_glass(light, surfaces);
 }

@@ -38,7 +38,8 @@ struct zr_layer_surfaces {
 struct zr_layer_light {
     const struct zr_tile_source *tiles;
     const struct zr_linear_lighting *lighting;
-    bool has_xrays; /* or glass */
+    bool has_xrays;    /* or glass */
+    bool leaves_glass; /* makes surfaces transparent that are of glass which refracts, or in front of one */
 };
 
 /* Lists the blended surfaces of a tile in front of its samples. *out is from the pool of `tiles`, and NULL if there are

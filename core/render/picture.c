@@ -6,6 +6,7 @@
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
 #include "mesh/mesh_tables.h"
+#include "render/backdrop.h"
 #include "render/depth_maps.h"
 #include "render/finish.h"
 #include "render/mesh_lines.h"
@@ -195,7 +196,6 @@ static enum zr_status finish(const struct drawing *d, struct zr_post_desc *desc,
 {
     if (edges) desc->ink = zr_edges_finish(d->run, edges);
     if (status_of(d) != ZR_OK) return status_of(d);
-    if (!zr_rays_of(&d->frame->camera, d->frame->width, d->frame->height, &desc->rays)) desc->ground = NULL;
     zr_finish_picture(d->run->team, desc, d->run->cancel);
     return status_of(d);
 }
@@ -211,6 +211,20 @@ static struct zr_ground_sun ground_sun_of(const struct drawing *d, const struct 
     return sun;
 }
 
+/* Draws tiles with glass again, now over the picture of all others. Without an opaque background, glass is drawn
+ * once. */
+static enum zr_status draw_glass(const struct drawing *d, const struct zr_post_desc *desc,
+                                 struct zr_sample_stages *stages, const struct zr_pass *pass,
+                                 struct zr_backdrop *backdrop)
+{
+    enum zr_status status = ZR_OK;
+    stages->glass = ZR_GLASS_REPEATED;
+    stages->edges = NULL;
+    STAGE(zr_backdrop_fill(d->run, desc, backdrop));
+    STAGE(zr_supersample_light(d->run, pass, stages, d->scene->picture->side, d->frame));
+    return status;
+}
+
 static enum zr_status draw_light(struct drawing *d)
 {
     const struct zr_picture *picture = d->scene->picture;
@@ -222,7 +236,10 @@ static enum zr_status draw_light(struct drawing *d)
     struct zr_pass pass;
     const bool is_cloud = picture->occlusion.is_on && zr_eye_dome_fits(d->scene);
     const bool has_occlusion = picture->occlusion.is_on && !is_cloud;
+    const bool refracts = zr_any_refracts(d->scene->materials, d->scene->material_count);
     const float *points_light = NULL;
+    struct zr_edge_marks *edges = NULL;
+    struct zr_backdrop backdrop;
     struct zr_occlusion_map occlusion;
     struct zr_linear_lighting lighting;
     struct zr_ground ground = {.light = NULL};
@@ -241,13 +258,19 @@ static enum zr_status draw_light(struct drawing *d)
     STAGE(zr_shadow_maps_draw(d->run, d->scene, camera, bounds, &shadows));
     zr_linear_lighting_make(d->run->arena, d->scene, camera, bounds, shadows, &lighting);
     if (picture->has_ground_sun) desc.sun = ground_sun_of(d, shadows);
+    if (!zr_rays_of(camera, d->frame->width, d->frame->height, &desc.rays)) desc.ground = NULL;
+    if (refracts) STAGE(zr_backdrop_open(d->run, d->scene, d->frame, &backdrop));
+    if (refracts) lighting.backdrop = &backdrop;
+    if (refracts && zr_background_is_opaque(d->scene)) stages.glass = ZR_GLASS_LEFT_OUT;
     STAGE(make_light(d, &light));
     const struct zr_surface_rule rule = {zr_pixel_scale_of(camera, d->frame->height)};
     if (picture->side == ZR_SURFACES_SIDE) stages.surfaces = &rule;
-    if (picture->edges.is_on && !picture->edges.is_from_mesh) STAGE(begin_edges(d, &stages.edges));
+    if (picture->edges.is_on && !picture->edges.is_from_mesh) STAGE(begin_edges(d, &edges));
+    stages.edges = edges;
     STAGE(draw_samples(d, &stages, &pass));
+    if (stages.glass == ZR_GLASS_LEFT_OUT) STAGE(draw_glass(d, &desc, &stages, &pass, &backdrop));
     if (status == ZR_OK && points_light) zr_eye_dome_apply(d->run, &pixels, points_light, light.color, light.stride);
-    STAGE(finish(d, &desc, stages.edges));
+    STAGE(finish(d, &desc, edges));
     if (picture->edges.is_on && picture->edges.is_from_mesh) STAGE(zr_mesh_lines_draw(d->run, d->scene, d->frame));
     return status;
 }
@@ -256,6 +279,7 @@ static enum zr_status draw_light(struct drawing *d)
 static void blend_layers(struct zr_material *material)
 {
     if (zr_material_is_glass(material) && material->alpha_mode == ZR_ALPHA_OPAQUE) {
+        material->is_solid = true;
         material->base_color.w = 1.0f;
         material->alpha_mode = ZR_ALPHA_BLEND;
     }

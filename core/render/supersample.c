@@ -96,8 +96,22 @@ static void point_at_texels(struct lit_tile *lit, const struct zr_texture_maps *
     lit->textures.roughness = lit->texels[3];
     lit->textures.metallic = lit->texels[4];
     lit->textures.occlusion = lit->texels[5];
-    lit->textures.coat = maps->of_finishes ? lit->texels[12] : NULL;
-    lit->textures.coat_roughness = maps->of_finishes ? lit->texels[13] : NULL;
+    if (!maps->of_finishes) {
+        lit->textures.coat = NULL;
+        return;
+    }
+    lit->textures.coat = lit->texels[12];
+    lit->textures.coat_roughness = lit->texels[13];
+    lit->textures.film = lit->texels[20];
+    lit->textures.film_thickness = lit->texels[21];
+    lit->textures.transmission = lit->texels[22];
+    lit->textures.thickness = lit->texels[23];
+    lit->textures.anisotropy = lit->texels[27];
+    for (int k = 0; k < 3; k++) {
+        lit->textures.coat_normal[k] = lit->texels[14 + k];
+        lit->textures.sheen[k] = lit->texels[17 + k];
+        lit->textures.along[k] = lit->texels[24 + k];
+    }
 }
 
 /* `maps`: the textures of the scene, or NULL for a G-buffer without their values. */
@@ -140,6 +154,17 @@ static void clear_light(const struct drawing *d, const struct place *place)
             to->color[0][at] = to->color[1][at] = to->color[2][at] = to->cover[at] = 0.0f;
 }
 
+/* Makes samples transparent that are of glass which refracts, or in front of one. is_hidden: of each sample. */
+static void leave_glass(const struct drawing *d, const struct zr_gbuffer *samples, bool *is_hidden, float *opacity)
+{
+    const struct zr_material *materials = d->stages->lighting->materials;
+    for (int32_t y = 0; y < samples->height; y++)
+        for (ptrdiff_t i = y * samples->stride; i < y * samples->stride + samples->width; i++) {
+            is_hidden[i] |= samples->owner[i] > 0 && zr_material_refracts(&materials[samples->material[i]]);
+            if (is_hidden[i]) opacity[i] = 0.0f;
+        }
+}
+
 /* Blends the layers over the lit tile: color[3] and cover. Layers are lit like opaque surfaces, but without
  * occlusion. */
 static void blend_light(const struct drawing *d, struct zr_layers *blended, struct lit_tile *lit)
@@ -149,12 +174,14 @@ static void blend_light(const struct drawing *d, struct zr_layers *blended, stru
     const float *const front[4] = {color[0], color[1], color[2], blended->front[3]};
     float *const sum[4] = {blended->sum[0], blended->sum[1], blended->sum[2], blended->sum[3]};
     const struct zr_gbuffer samples = gbuffer_of(lit, layer, &d->pass->attributes.textures);
+    bool is_hidden[TILE_WORDS] = {false};
     for (uint32_t depth = 0; depth < blended->most && !zr_is_cancelled(d->cancel); depth++) {
         zr_layers_show(blended, depth);
         d->paint->opacity(&d->pass->geometry, &d->pass->attributes, layer, blended->front[3]);
         d->paint->samples(&d->pass->geometry, &d->pass->attributes, layer, &samples);
         zr_linear_light_of(d->isa)(d->stages->lighting, &samples, NULL, color);
         if (d->stages->has_xrays) zr_xray_of(d->isa)(d->stages->lighting, &samples, blended->front[3]);
+        if (d->stages->glass == ZR_GLASS_LEFT_OUT) leave_glass(d, &samples, is_hidden, blended->front[3]);
         d->paint->blend(layer, front, sum);
     }
 }
@@ -196,7 +223,8 @@ static uint32_t light_layer_surfaces(const struct drawing *d, const struct zr_ti
 {
     const struct place place = place_of(d, tile);
     const struct zr_linear_frame *to = d->stages->out;
-    const struct zr_layer_light light = {&d->pass->tiles, d->stages->lighting, d->stages->has_xrays};
+    const struct zr_layer_light light = {&d->pass->tiles, d->stages->lighting, d->stages->has_xrays,
+                                         d->stages->glass == ZR_GLASS_LEFT_OUT};
     const float *const color[3] = {room->tile.color[0], room->tile.color[1], room->tile.color[2]};
     uint32_t uncovered = 0;
     zr_layer_surfaces_light(&light, tile, d->cancel, &room->surfaces, &room->tile.room, blended);
@@ -345,6 +373,9 @@ static void draw_range(void *context, size_t begin, size_t end)
     uint64_t covered = 0;
     for (size_t number = begin; number < end; number++) {
         struct blended blended;
+        if (d->stages && d->stages->glass == ZR_GLASS_REPEATED &&
+            !zr_layers_has_blended(&d->pass->tiles, (uint32_t)number))
+            continue;
         if (!zr_tile_find_visible(&d->pass->tiles, (uint32_t)number, d->cancel, &tile) ||
             !find_blended(d, (uint32_t)number, &tile, &blended))
             return;
@@ -392,5 +423,6 @@ enum zr_status zr_supersample_light(const struct zr_run *run, const struct zr_pa
                                     const struct zr_sample_stages *stages, uint32_t side, struct zr_frame *frame)
 {
     struct drawing drawing = {.pass = pass, .stages = stages, .side = side, .cancel = run->cancel};
-    return draw(run->team, &drawing, frame);
+    struct zr_frame repeated = *frame;
+    return draw(run->team, &drawing, stages->glass == ZR_GLASS_REPEATED ? &repeated : frame);
 }

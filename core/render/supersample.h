@@ -24,6 +24,13 @@ struct zr_linear_frame {
     float *cover;    /* covered share of the samples, 0..1 */
 };
 
+/* Glass that refracts (zr_material_refracts) shows a picture of the other surfaces, which is drawn first. */
+enum zr_glass_step {
+    ZR_GLASS_WITH_ALL, /* there is none, or it does not refract */
+    ZR_GLASS_LEFT_OUT, /* all but such glass, and layers in front of it */
+    ZR_GLASS_REPEATED  /* tiles with layers are drawn again, with it */
+};
+
 /* Input of the samples of a picture in linear light. */
 struct zr_sample_stages {
     const struct zr_linear_lighting *lighting;
@@ -31,6 +38,7 @@ struct zr_sample_stages {
     struct zr_edge_marks *edges;              /* or NULL */
     const struct zr_surface_rule *surfaces;   /* of 16 samples a pixel; NULL: each sample is lit */
     bool has_xrays;                           /* true if a material has the shading xray, or is glass */
+    enum zr_glass_step glass;
     struct zr_linear_frame *out;
 };
 
@@ -39,7 +47,8 @@ struct zr_sample_stages {
 enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *pass, uint32_t side,
                                     const struct zr_cancel *cancel, struct zr_frame *frame);
 
-/* Lights the samples in linear light and writes their averages to stages->out. Otherwise as above. */
+/* Lights the samples in linear light and writes their averages to stages->out. Otherwise as above; ZR_GLASS_REPEATED
+ * leaves the counts. */
 enum zr_status zr_supersample_light(const struct zr_run *run, const struct zr_pass *pass,
                                     const struct zr_sample_stages *stages, uint32_t side, struct zr_frame *frame);
 

@@ -47,7 +47,15 @@ struct zr_finish {
     float sheen_roughness;      /* 0..1 */
     float film;                 /* iridescence: share of the surface with a thin film, 0..1 */
     float film_ior, film_nm;    /* its index of refraction, at least 1; its thickness, nanometres */
+    float film_thinnest;        /* thickness where a texture of it is 0 */
     float transmission;         /* transmission: share of the light that enters and passes through, 0..1 */
+    float ior;                  /* with transmission: index of refraction, at least 1 */
+    float thickness;            /* volume: length of rays in it, object units; 0: thin walls, which bend no light */
+    zr_vec3 attenuation;        /* volume: linear colour, 0..1, that white light has after `distance` */
+    float distance;             /* world units; 0: no attenuation */
+    float dispersion;           /* dispersion: 20 / Abbe number */
+    float anisotropy,
+        along[2]; /* anisotropy: strength, 0..1; cosine and sine of its direction's angle to the tangent */
 };
 enum { ZR_FINISH_FLOATS = sizeof(struct zr_finish) / sizeof(float) };
 
@@ -70,9 +78,11 @@ struct zr_material {
     bool is_hidden;     /* elements are not drawn and keep their ids; also unfilled, without an outline */
     enum zr_outline outline;
     zr_vec4 outline_color;
+    bool is_solid;                       /* ZR_ALPHA_BLEND: of glass whose alpha is ignored */
     bool is_alpha_only;                  /* RGB of the texture ZR_TEXTURE_BASE_COLOR counts as 1 */
     uint32_t textures[ZR_TEXTURE_SLOTS]; /* 1 + number in the scene, or 0: none; on faces only */
     float normal_scale;                  /* ZR_TEXTURE_NORMAL: factor on x and y */
+    float coat_normal_scale;             /* ZR_TEXTURE_COAT_NORMAL: likewise */
     float occlusion_strength;            /* ZR_TEXTURE_OCCLUSION, 0..1 */
 };
 
@@ -88,7 +98,8 @@ static inline bool zr_material_has_finish(const struct zr_material *material)
 {
     const struct zr_finish *finish = &material->finish;
     return material->shading == ZR_SHADING_PBR &&
-           (finish->coat > 0.0f || finish->film > 0.0f || finish->transmission > 0.0f || zr_finish_has_sheen(finish));
+           (finish->coat > 0.0f || finish->film > 0.0f || finish->transmission > 0.0f || finish->anisotropy > 0.0f ||
+            zr_finish_has_sheen(finish));
 }
 
 /* True if light passes through the surface. The channel color blends it, like surfaces with the shading xray. */
@@ -98,11 +109,24 @@ static inline bool zr_material_is_glass(const struct zr_material *material)
            material->alpha_mode != ZR_ALPHA_MASK;
 }
 
+/* True if what is seen through the surface is bent or blurred. */
+static inline bool zr_material_refracts(const struct zr_material *material)
+{
+    return zr_material_is_glass(material) && (material->finish.thickness > 0.0f || material->roughness > 0.0f);
+}
+
 static inline bool zr_material_has_textures(const struct zr_material *material)
 {
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         if (material->textures[slot]) return true;
     return false;
+}
+
+/* True if shading needs texture coordinates. */
+static inline bool zr_material_is_mapped(const struct zr_material *material)
+{
+    return zr_material_has_textures(material) ||
+           (material->shading == ZR_SHADING_PBR && material->finish.anisotropy > 0.0f);
 }
 
 /* Indexed polygons, lines and points. Face f has the corners indices[face_offsets[f]] to indices[face_offsets[f + 1] -
@@ -387,6 +411,13 @@ static inline bool zr_any_is_glass(const struct zr_material *materials, uint32_t
 {
     for (uint32_t i = 0; i < count; i++)
         if (zr_material_is_glass(&materials[i])) return true;
+    return false;
+}
+
+static inline bool zr_any_refracts(const struct zr_material *materials, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (zr_material_refracts(&materials[i])) return true;
     return false;
 }
 

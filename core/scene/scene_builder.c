@@ -57,8 +57,8 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
            is_same_color(a->specular, b->specular) && is_same_color(a->reflectance, b->reflectance) &&
            a->grazing == b->grazing && is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
            a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff && a->normal_scale == b->normal_scale &&
-           a->occlusion_strength == b->occlusion_strength && is_same_finish(&a->finish, &b->finish) &&
-           memcmp(a->textures, b->textures, sizeof a->textures) == 0;
+           a->coat_normal_scale == b->coat_normal_scale && a->occlusion_strength == b->occlusion_strength &&
+           is_same_finish(&a->finish, &b->finish) && memcmp(a->textures, b->textures, sizeof a->textures) == 0;
 }
 
 static uint32_t hash_floats(uint32_t value, const float *numbers, size_t count)

@@ -36,8 +36,21 @@ enum zr_texture_slot {
     ZR_TEXTURE_EMISSIVE,           /* RGB, sRGB-encoded */
     ZR_TEXTURE_COAT,               /* R: share of the surface with a clear coat */
     ZR_TEXTURE_COAT_ROUGHNESS,     /* G: roughness of the clear coat */
+    ZR_TEXTURE_COAT_NORMAL,        /* as ZR_TEXTURE_NORMAL, of the clear coat */
+    ZR_TEXTURE_SHEEN,              /* RGB, sRGB-encoded: colour of sheen */
+    ZR_TEXTURE_FILM,               /* R: share of the surface with a thin film */
+    ZR_TEXTURE_FILM_THICKNESS,     /* G: its thickness, from the least to the largest */
+    ZR_TEXTURE_TRANSMISSION,       /* R: share of the light that passes through */
+    ZR_TEXTURE_THICKNESS,          /* G: length of rays in glass */
+    ZR_TEXTURE_ANISOTROPY,         /* RG: -1 .. 1 along tangent and bitangent; B: strength */
     ZR_TEXTURE_SLOTS
 };
+
+/* True if a slot's colours are sRGB-encoded. */
+static inline bool zr_slot_is_color(enum zr_texture_slot slot)
+{
+    return slot == ZR_TEXTURE_BASE_COLOR || slot == ZR_TEXTURE_EMISSIVE || slot == ZR_TEXTURE_SHEEN;
+}
 
 /* Most textures of a scene. */
 enum { ZR_TEXTURES_MAX = 4096 };

@@ -253,7 +253,7 @@ static bool make_points(struct making *m)
 static bool is_textured(const struct making *m, const struct zr_draw *draw)
 {
     return m->colors && m->out->textures.of && !zr_draw_is_of_wires(draw) && draw->mesh->texcoords &&
-           (m->wants->samples ? zr_material_has_textures(draw->material)
+           (m->wants->samples ? zr_material_is_mapped(draw->material)
                               : draw->material->textures[ZR_TEXTURE_BASE_COLOR] > 0);
 }
 
@@ -314,7 +314,7 @@ static bool make_of_draw(struct making *m, const struct zr_draw *draw, struct zr
     const bool textured = is_textured(m, draw);
     of_draw->is_per_pixel = by_normals || textured || (m->colors && m->out->fog.is_on);
     if (textured && !find_texcoords(m, draw, &of_draw->attributes[ZR_ATTRIBUTE_TEXCOORD])) return false;
-    if (textured && m->wants->samples && draw->material->textures[ZR_TEXTURE_NORMAL] &&
+    if (textured && m->wants->samples && zr_material_has_tangents(draw->material) &&
         !find_tangents(m, &of_draw->attributes[ZR_ATTRIBUTE_TANGENT]))
         return false;
     if (of_draw->is_per_pixel || m->wants->samples)

@@ -68,6 +68,13 @@ enum zr_status zr_scene_attributes_make(const struct zr_run *run, const struct z
                                         const struct zr_camera *camera, const struct zr_geometry *geometry,
                                         const struct zr_attribute_wants *wants, struct zr_scene_attributes *attributes);
 
+/* True if shading needs tangents. */
+static inline bool zr_material_has_tangents(const struct zr_material *material)
+{
+    return material->textures[ZR_TEXTURE_NORMAL] || material->textures[ZR_TEXTURE_COAT_NORMAL] ||
+           material->finish.anisotropy > 0.0f;
+}
+
 static inline bool zr_draw_is_smooth(const struct zr_draw_attributes *of_draw)
 {
     const struct zr_attribute *color = &of_draw->attributes[ZR_ATTRIBUTE_COLOR];

@@ -52,6 +52,18 @@ static inline struct zr_tangents_v zr_tangents_of(const struct zr_vec3_v points[
     return (struct zr_tangents_v){{along, along, along}, (zero - sign) * turn};
 }
 
+/* Returns the texture whose coordinates tangents follow; NULL: those of set 0. */
+static inline const struct zr_texture *zr_tangent_texture(const struct zr_texture_maps *maps,
+                                                          const struct zr_material *material)
+{
+    static const enum zr_texture_slot slots[] = {ZR_TEXTURE_NORMAL, ZR_TEXTURE_COAT_NORMAL, ZR_TEXTURE_ANISOTROPY};
+    for (size_t i = 0; i < sizeof slots / sizeof *slots; i++) {
+        const struct zr_texture_map *map = zr_texture_map_of(maps, material, slots[i]);
+        if (map) return map->texture;
+    }
+    return NULL;
+}
+
 /* Returns the mesh's own tangents, or those of its normal map's coordinates. */
 static inline struct zr_tangents_v zr_tangents_find(const struct zr_shader *s, const struct zr_draw_run *run,
                                                     zr_vm turned, const int32_t (*vertices)[ZR_LANES],
@@ -59,8 +71,7 @@ static inline struct zr_tangents_v zr_tangents_find(const struct zr_shader *s, c
 {
     const struct zr_attribute *attributes = run->of_draw->attributes;
     const zr_vec4 *given = attributes[ZR_ATTRIBUTE_TANGENT].values, *points = attributes[ZR_ATTRIBUTE_POINT].values;
-    const struct zr_texture *texture =
-        zr_texture_map_of(&s->attributes->textures, run->draw->material, ZR_TEXTURE_NORMAL)->texture;
+    const struct zr_texture *texture = zr_tangent_texture(&s->attributes->textures, run->draw->material);
     const zr_vm backs = zr_shown_backs(run->draw, zr_draw_run_numbers(s, run), turned);
     const zr_vf side = zr_vf_select(backs, zr_vf_set(-1.0f), zr_vf_set(1.0f));
     struct zr_tangents_v out;
@@ -72,8 +83,11 @@ static inline struct zr_tangents_v zr_tangents_find(const struct zr_shader *s, c
         struct zr_vec3_v at[3];
         zr_vf places[3][2];
         zr_values_load(points - run->draw->first_vertex, vertices, at, last);
-        for (int k = 0; k < 3; k++)
-            zr_texture_transform_v(texture, texcoords[k], places[k]);
+        for (int k = 0; k < 3; k++) {
+            places[k][0] = texcoords[k][0];
+            places[k][1] = texcoords[k][1];
+            if (texture) zr_texture_transform_v(texture, texcoords[k], places[k]);
+        }
         out = zr_tangents_of(at, places, zr_mat4_is_mirror(&s->geometry->instances[run->draw->instance].to_eye));
     }
     for (int k = 0; k < 3; k++)

@@ -289,6 +289,8 @@ static const bool *find_used(struct zr_arena *arena, const struct zr_scene *scen
 static bool has_finish_textures(const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->material_count; i++)
+        if (scene->materials[i].shading == ZR_SHADING_PBR && scene->materials[i].finish.anisotropy > 0.0f) return true;
+    for (uint32_t i = 0; i < scene->material_count; i++)
         for (int slot = ZR_TEXTURE_COAT; slot < ZR_TEXTURE_SLOTS; slot++)
             if (scene->materials[i].textures[slot]) return true;
     return false;
@@ -385,7 +387,12 @@ enum zr_status zr_texture_maps_make(const struct zr_run *run, const struct zr_sc
 {
     struct making m = {.run = run, .scene = scene, .decode = decode};
     *maps = (struct zr_texture_maps){NULL, NULL, false};
-    if (scene->texture_count == 0) return ZR_OK;
+    const bool of_finishes = has_finish_textures(scene);
+    if (scene->texture_count == 0 && !of_finishes) return ZR_OK;
+    if (scene->texture_count == 0) {
+        *maps = (struct zr_texture_maps){zr_arena_zero(run->arena, 1, sizeof *maps->of), NULL, true};
+        return maps->of ? ZR_OK : ZR_NO_MEMORY;
+    }
     struct zr_texture_map *of = zr_arena_zero(run->arena, scene->texture_count, sizeof *of);
     struct zr_texture_map *opacity = zr_arena_zero(run->arena, scene->texture_count, sizeof *opacity);
     m.chains = zr_arena_zero(run->arena, 2 * (size_t)scene->image_count, sizeof *m.chains);
@@ -398,7 +405,7 @@ enum zr_status zr_texture_maps_make(const struct zr_run *run, const struct zr_sc
         if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     }
     find_places(of, scene->texture_count);
-    *maps = (struct zr_texture_maps){of, opacity, has_finish_textures(scene)};
+    *maps = (struct zr_texture_maps){of, opacity, of_finishes};
     return ZR_OK;
 }
 

@@ -32,11 +32,11 @@ struct zr_texture_map {
 };
 
 struct zr_texture_maps {
-    const struct zr_texture_map *of; /* one per texture of the scene; NULL: none */
+    const struct zr_texture_map *of; /* one per texture of the scene; NULL: none, and no anisotropy */
     /* One per texture, with the image's alpha in all colour components, for base colours of masked and blended
      * materials. For others, level_count is 0. */
     const struct zr_texture_map *opacity;
-    bool of_finishes; /* a material has a texture of its finish */
+    bool of_finishes; /* a material has a texture of its finish, or anisotropy */
 };
 
 /* Makes the maps of the textures that a material has. They point to the scene, and to kept levels of its images.

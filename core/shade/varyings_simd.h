@@ -108,7 +108,7 @@ static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_draw_ru
         const zr_vf values[3] = {c[0][k], c[1][k], c[2][k]};
         zr_put_value(s, run, mask, first + k, setup, values, false);
     }
-    if (run->draw->material->textures[ZR_TEXTURE_NORMAL])
+    if (zr_material_has_tangents(run->draw->material))
         tangents = zr_tangents_find(s, run, setup->turned, corners->vertex, c);
     const zr_vf sign[3] = {tangents.sign, tangents.sign, tangents.sign};
     zr_put_three(s, run, mask, tangent, setup, tangents.along, false);
@@ -164,7 +164,7 @@ ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_draw_run *run, u
     const struct zr_draw *draw = run->draw;
     const bool of_wires = zr_draw_is_of_wires(draw);
     const bool is_per_pixel =
-        mask & ZR_VARY_TEXCOORDS ? !of_wires && zr_material_has_textures(draw->material) : run->of_draw->is_per_pixel;
+        mask & ZR_VARY_TEXCOORDS ? !of_wires && zr_material_is_mapped(draw->material) : run->of_draw->is_per_pixel;
     if (mask & ZR_VARY_PER_PIXEL) zr_put_material(s, run, is_per_pixel);
     if (mask & ZR_VARY_TEXCOORDS && !is_per_pixel) return;
     if (of_wires) {
@@ -226,7 +226,7 @@ ZR_INLINED zr_vf zr_samples_load(const struct zr_samples_v *in, const float *arr
 }
 
 /* Output rows, one array per value of a maker. The tile's first sample is at the first of each. */
-enum { ZR_ROWS_MOST = 14 };
+enum { ZR_ROWS_MOST = 28 };
 struct zr_varying_rows {
     float *of[ZR_ROWS_MOST];
     ptrdiff_t stride;

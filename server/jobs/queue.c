@@ -8,7 +8,7 @@
 
 #include "clock.h"
 
-enum { STACK_BYTES = 2 << 20, ACCEPTED_PER_WORKER = 2, OVERSEER_TICK_MS = 20 };
+enum { STACK_BYTES = 3 << 20, ACCEPTED_PER_WORKER = 2, OVERSEER_TICK_MS = 20 };
 
 /* A longer job on a worker counts as large. A job on the express counts as small, since it delays small ones. */
 static const int64_t SMALL_US = QUEUE_EXPRESS_MS * INT64_C(1000);

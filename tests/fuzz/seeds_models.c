@@ -227,6 +227,18 @@ static void write_gltf(void)
                   "arget\":{\"node\":1,\"path\":\"translation\"}},{\"sampler\":1,\"target\":{\"node\":0,\"path\":\""
                   "weights\"}},{\"sampler\":2,\"target\":{\"node\":0,\"path\":\"scale\"}},{\"sampler\":2,\"target\""
                   ":{\"path\":\"pointer\"}}]}]}"},
+        {"finished", "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36,\"uri\":\"data:;base64,AAAAAAAA"
+                     "AAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+                     "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},{\"buffer"
+                     "View\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC2\"}],\"materials\":[{\"extensions\":{"
+                     "\"KHR_materials_clearcoat\":{\"clearcoatFactor\":1,\"clearcoatRoughnessFactor\":0.2},\"KHR_mater"
+                     "ials_sheen\":{\"sheenColorFactor\":[1,0.5,0],\"sheenRoughnessFactor\":0.3},\"KHR_materials_iride"
+                     "scence\":{\"iridescenceFactor\":1,\"iridescenceIor\":1.4,\"iridescenceThicknessMaximum\":300},\""
+                     "KHR_materials_anisotropy\":{\"anisotropyStrength\":0.5,\"anisotropyRotation\":1},\"KHR_materials"
+                     "_transmission\":{\"transmissionFactor\":0.9},\"KHR_materials_volume\":{\"thicknessFactor\":0.5,"
+                     "\"attenuationColor\":[1,0.5,0],\"attenuationDistance\":2},\"KHR_materials_dispersion\":{\"disper"
+                     "sion\":3},\"KHR_materials_ior\":{\"ior\":1.4}}}],\"meshes\":[{\"primitives\":[{\"attributes\":{"
+                     "\"POSITION\":0,\"TEXCOORD_0\":1},\"material\":0}]}],\"nodes\":[{\"mesh\":0}]}"},
         {"lit", "{\"asset\":{\"version\":\"2.0\"},\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":"
                 "\"spot\",\"range\":4,\"spot\":{\"innerConeAngle\":0.1,\"outerConeAngle\":0.5}},{\"type\":\"direc"
                 "tional\",\"color\":[1,0.5,0],\"intensity\":3}]}},\"buffers\":[{\"byteLength\":36,\"uri\":\"data:"

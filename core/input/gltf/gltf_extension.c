@@ -6,23 +6,14 @@
 #include "input/text/text.h"
 
 /* Extensions that are read. */
-static const char *const known[] = {"EXT_mesh_gpu_instancing",
-                                    "EXT_meshopt_compression",
-                                    "EXT_texture_webp",
-                                    "KHR_draco_mesh_compression",
-                                    "KHR_lights_punctual",
-                                    "KHR_materials_clearcoat",
-                                    "KHR_materials_emissive_strength",
-                                    "KHR_materials_ior",
-                                    "KHR_materials_iridescence",
-                                    "KHR_materials_pbrSpecularGlossiness",
-                                    "KHR_materials_sheen",
-                                    "KHR_materials_specular",
-                                    "KHR_materials_transmission",
-                                    "KHR_materials_unlit",
-                                    "KHR_mesh_quantization",
-                                    "KHR_meshopt_compression",
-                                    "KHR_texture_transform"};
+static const char *const known[] = {
+    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",   "EXT_texture_webp",
+    "KHR_draco_mesh_compression", "KHR_lights_punctual",       "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",    "KHR_materials_dispersion",  "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_iridescence", "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",        "KHR_materials_specular",    "KHR_materials_transmission",
+    "KHR_materials_unlit",        "KHR_materials_volume",      "KHR_mesh_quantization",
+    "KHR_meshopt_compression",    "KHR_texture_transform"};
 
 /* Beginnings of the names of extensions without which geometry and its place stay the same: a file that requires one is
  * drawn, and a warning names it. */

@@ -59,7 +59,16 @@ bool zr_gltf_add_texture(struct zr_gltf *file, const struct zr_json_path *path, 
 
 /* ---- gltf_finish.c ---- */
 
-enum zr_gltf_finish { ZR_GLTF_COAT, ZR_GLTF_SHEEN, ZR_GLTF_FILM, ZR_GLTF_TRANSMISSION, ZR_GLTF_FINISHES };
+enum zr_gltf_finish {
+    ZR_GLTF_COAT,
+    ZR_GLTF_SHEEN,
+    ZR_GLTF_FILM,
+    ZR_GLTF_ANISOTROPY,
+    ZR_GLTF_TRANSMISSION,
+    ZR_GLTF_VOLUME,
+    ZR_GLTF_DISPERSION,
+    ZR_GLTF_FINISHES
+};
 
 /* Reads the finish of a material. `path` leads to its extensions. texts: JSON text of each extension, or NULL. Counts
  * textures that are not drawn, for a warning. */

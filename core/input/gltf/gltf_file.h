@@ -233,7 +233,7 @@ struct zr_gltf {
         other_counts; /* fewer bytes than byteLength; other counts than compressed data */
     struct zr_gltf_note missing_images, not_finite, third_sets, wide_texcoords, zero_strides, bad_cameras;
     struct zr_gltf_note unknown, no_positions, no_texcoords, no_source, clamped, left_over, empty, unread_channels,
-        bad_lights, clamped_spots, specular_textures, gloss_textures, undrawn_textures, thin_glass;
+        bad_lights, clamped_spots, specular_textures, gloss_textures, undrawn_textures;
     struct zr_gltf_note not_compressed, not_drawn; /* attributes of primitives with compressed data */
     uint32_t baked_count;
     struct zr_gltf_baked *baked; /* of specular and glossiness */

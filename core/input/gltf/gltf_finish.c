@@ -57,7 +57,7 @@ static void read_coat(struct zr_gltf *file, const struct zr_json_path *path, con
     read_texture(file, path, given.texture, ZR_TEXTURE_COAT, out);
     if (out->finish.coat_roughness > 0.0f)
         read_texture(file, path, given.roughness_texture, ZR_TEXTURE_COAT_ROUGHNESS, out);
-    note_undrawn(file, path, given.normal_texture, "clearcoatNormalTexture");
+    read_texture(file, path, given.normal_texture, ZR_TEXTURE_COAT_NORMAL, out);
 }
 
 /* ---- KHR_materials_sheen ---- */
@@ -87,7 +87,7 @@ static void read_sheen(struct zr_gltf *file, const struct zr_json_path *path, co
     out->finish.sheen_roughness = clamp_key(file, path, "sheenRoughnessFactor", given.roughness);
     out->keys |= UINT64_C(1) << ZR_MATERIAL_SHEEN | UINT64_C(1) << ZR_MATERIAL_SHEEN_ROUGHNESS;
     if (!zr_finish_has_sheen(&out->finish)) return;
-    note_undrawn(file, path, given.color_texture, "sheenColorTexture");
+    read_texture(file, path, given.color_texture, ZR_TEXTURE_SHEEN, out);
     note_undrawn(file, path, given.roughness_texture, "sheenRoughnessTexture");
 }
 
@@ -121,11 +121,40 @@ static void read_film(struct zr_gltf *file, const struct zr_json_path *path, con
         (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "iridescenceIor"), given.ior, 1.0, FILM_IOR_MAX);
     out->finish.film_nm = (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "iridescenceThicknessMaximum"), given.thickest,
                                                0.0, ZR_FILM_NM_MAX);
+    out->finish.film_thinnest = (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "iridescenceThicknessMinimum"),
+                                                     given.thinnest, 0.0, ZR_FILM_NM_MAX);
     out->keys |= UINT64_C(1) << ZR_MATERIAL_FILM | UINT64_C(1) << ZR_MATERIAL_FILM_IOR |
-                 UINT64_C(1) << ZR_MATERIAL_FILM_THICKNESS;
+                 UINT64_C(1) << ZR_MATERIAL_FILM_THICKNESS | UINT64_C(1) << ZR_MATERIAL_FILM_THINNEST;
     if (out->finish.film == 0.0f) return;
-    note_undrawn(file, path, given.texture, "iridescenceTexture");
-    note_undrawn(file, path, given.thickness_texture, "iridescenceThicknessTexture");
+    read_texture(file, path, given.texture, ZR_TEXTURE_FILM, out);
+    read_texture(file, path, given.thickness_texture, ZR_TEXTURE_FILM_THICKNESS, out);
+}
+
+/* ---- KHR_materials_anisotropy ---- */
+
+struct given_anisotropy {
+    double strength, rotation;
+    const char *texture; /* JSON text */
+};
+#define AT(member) offsetof(struct given_anisotropy, member)
+static const struct zr_json_field anisotropy_fields[] = {NUMBER("anisotropyStrength", AT(strength)),
+                                                         NUMBER("anisotropyRotation", AT(rotation)),
+                                                         TEXT("anisotropyTexture", AT(texture)), ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object anisotropy_object = ZR_JSON_OBJECT_OF("KHR_materials_anisotropy", anisotropy_fields);
+
+#define ROTATION_MAX 1e6
+
+static void read_anisotropy(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
+                            struct zr_parsed_material *out)
+{
+    struct given_anisotropy given = {0, 0, NULL};
+    zr_gltf_fields_at(file, text, path, &anisotropy_object, &given);
+    out->finish.anisotropy = clamp_key(file, path, "anisotropyStrength", given.strength);
+    out->anisotropy_rotation = (double)zr_gltf_clamp(file, ZR_JSON_KEY(path, "anisotropyRotation"), given.rotation,
+                                                     -ROTATION_MAX, ROTATION_MAX);
+    out->keys |= UINT64_C(1) << ZR_MATERIAL_ANISOTROPY | UINT64_C(1) << ZR_MATERIAL_ANISOTROPY_ROTATION;
+    if (out->finish.anisotropy > 0.0f) read_texture(file, path, given.texture, ZR_TEXTURE_ANISOTROPY, out);
 }
 
 /* ---- KHR_materials_transmission ---- */
@@ -149,8 +178,63 @@ static void read_transmission(struct zr_gltf *file, const struct zr_json_path *p
     out->finish.transmission = clamp_key(file, path, "transmissionFactor", given.factor);
     out->keys |= UINT64_C(1) << ZR_MATERIAL_TRANSMISSION;
     if (out->finish.transmission == 0.0f) return;
-    zr_gltf_note(&file->thin_glass, path);
-    note_undrawn(file, path, given.texture, "transmissionTexture");
+    read_texture(file, path, given.texture, ZR_TEXTURE_TRANSMISSION, out);
+}
+
+/* ---- KHR_materials_volume ---- */
+
+struct given_volume {
+    double thickness, color[3], distance;
+    const char *texture; /* JSON text */
+};
+#define AT(member) offsetof(struct given_volume, member)
+static const struct zr_json_field volume_fields[] = {
+    NUMBER("thicknessFactor", AT(thickness)),
+    TEXT("thicknessTexture", AT(texture)),
+    {.key = "attenuationColor", .read = zr_gltf_three, .offset = AT(color)},
+    NUMBER("attenuationDistance", AT(distance)),
+    ZR_GLTF_COMMON};
+#undef AT
+static const struct zr_json_object volume_object = ZR_JSON_OBJECT_OF("KHR_materials_volume", volume_fields);
+
+/* The distance 0 is none, as in other renderers. */
+static void read_volume(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
+                        struct zr_parsed_material *out)
+{
+    struct given_volume given = {0, {1, 1, 1}, 0, NULL};
+    struct zr_finish *finish = &out->finish;
+    zr_gltf_fields_at(file, text, path, &volume_object, &given);
+    finish->thickness =
+        (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "thicknessFactor"), given.thickness, 0.0, ZR_VOLUME_MAX);
+    finish->attenuation = (zr_vec3){clamp_key(file, path, "attenuationColor", given.color[0]),
+                                    clamp_key(file, path, "attenuationColor", given.color[1]),
+                                    clamp_key(file, path, "attenuationColor", given.color[2])};
+    finish->distance =
+        (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "attenuationDistance"), given.distance, 0.0, DBL_MAX);
+    if (!(finish->distance <= (float)ZR_VOLUME_MAX)) finish->distance = 0.0f;
+    out->keys |= UINT64_C(1) << ZR_MATERIAL_THICKNESS | UINT64_C(1) << ZR_MATERIAL_ATTENUATION_COLOR |
+                 UINT64_C(1) << ZR_MATERIAL_ATTENUATION_DISTANCE;
+    if (finish->thickness > 0.0f && finish->transmission > 0.0f)
+        read_texture(file, path, given.texture, ZR_TEXTURE_THICKNESS, out);
+}
+
+/* ---- KHR_materials_dispersion ---- */
+
+struct given_dispersion {
+    double dispersion;
+};
+static const struct zr_json_field dispersion_fields[] = {
+    NUMBER("dispersion", offsetof(struct given_dispersion, dispersion)), ZR_GLTF_COMMON};
+static const struct zr_json_object dispersion_object = ZR_JSON_OBJECT_OF("KHR_materials_dispersion", dispersion_fields);
+
+static void read_dispersion(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
+                            struct zr_parsed_material *out)
+{
+    struct given_dispersion given = {0};
+    zr_gltf_fields_at(file, text, path, &dispersion_object, &given);
+    out->finish.dispersion =
+        (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "dispersion"), given.dispersion, 0.0, ZR_DISPERSION_MAX);
+    out->keys |= UINT64_C(1) << ZR_MATERIAL_DISPERSION;
 }
 
 /* ---- all ---- */
@@ -164,7 +248,10 @@ static const struct {
 } finishes[ZR_GLTF_FINISHES] = {[ZR_GLTF_COAT] = {&coat_object, read_coat},
                                 [ZR_GLTF_SHEEN] = {&sheen_object, read_sheen},
                                 [ZR_GLTF_FILM] = {&film_object, read_film},
-                                [ZR_GLTF_TRANSMISSION] = {&transmission_object, read_transmission}};
+                                [ZR_GLTF_ANISOTROPY] = {&anisotropy_object, read_anisotropy},
+                                [ZR_GLTF_TRANSMISSION] = {&transmission_object, read_transmission},
+                                [ZR_GLTF_VOLUME] = {&volume_object, read_volume},
+                                [ZR_GLTF_DISPERSION] = {&dispersion_object, read_dispersion}};
 
 void zr_gltf_read_finish(struct zr_gltf *file, const struct zr_json_path *path, const char *const texts[],
                          struct zr_parsed_material *out)

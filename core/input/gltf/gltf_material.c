@@ -86,7 +86,10 @@ static const struct zr_json_field extension_fields[] = {
     {.key = "KHR_materials_clearcoat", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_COAT])},
     {.key = "KHR_materials_sheen", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_SHEEN])},
     {.key = "KHR_materials_iridescence", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_FILM])},
-    {.key = "KHR_materials_transmission", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_TRANSMISSION])}};
+    {.key = "KHR_materials_anisotropy", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_ANISOTROPY])},
+    {.key = "KHR_materials_transmission", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_TRANSMISSION])},
+    {.key = "KHR_materials_volume", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_VOLUME])},
+    {.key = "KHR_materials_dispersion", .read = zr_json_value_start, .offset = AT(finish[ZR_GLTF_DISPERSION])}};
 #undef AT
 static const struct zr_json_object extension_object = {ZR_JSON_FIELDS("extensions", extension_fields), .is_open = true};
 

@@ -239,7 +239,7 @@ static bool find(struct zr_gltf *file, enum zr_texture_slot slot, uint32_t numbe
                                .wrap_t = (enum zr_wrap)sampler->wrap_t,
                                .magnify = (enum zr_filter)sampler->magnify,
                                .minify = (enum zr_filter)sampler->minify,
-                               .is_color = slot == ZR_TEXTURE_BASE_COLOR || slot == ZR_TEXTURE_EMISSIVE};
+                               .is_color = zr_slot_is_color(slot)};
     zr_parsed_put_transform(given, out);
     if (of->source == ZR_GLTF_NONE) {
         zr_gltf_note(&file->no_source, at);
@@ -278,10 +278,11 @@ bool zr_gltf_find_texture(struct zr_gltf *file, const char *place, const struct 
 {
     struct given_texture given = {.scale = 1, .strength = 1};
     if (!zr_gltf_fields_at(file, place, path, &info_object, &given)) return false;
-    *out = (struct zr_parsed_texture){.is_given = true,
-                                      .scale = {1, 1},
-                                      .texcoord = given.texcoord,
-                                      .strength = slot == ZR_TEXTURE_NORMAL ? given.scale : given.strength};
+    *out = (struct zr_parsed_texture){
+        .is_given = true,
+        .scale = {1, 1},
+        .texcoord = given.texcoord,
+        .strength = slot == ZR_TEXTURE_NORMAL || slot == ZR_TEXTURE_COAT_NORMAL ? given.scale : given.strength};
     if (given.extensions) read_transform(file, ZR_JSON_KEY(path, "extensions"), given.extensions, out);
     if (!place_set(&file->sets, out->texcoord, &out->texcoord)) {
         if (!file->listing) zr_gltf_note(&file->third_sets, path);

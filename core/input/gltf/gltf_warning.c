@@ -74,8 +74,6 @@ void zr_gltf_warn(struct zr_gltf *file)
             "materials are drawn without the textures of KHR_materials_specular");
     warn_of(file, colors, &file->undrawn_textures, "this texture is not drawn",
             "textures of extensions of materials are not drawn");
-    warn_of(file, colors, &file->thin_glass, "drawn as thin glass: light is neither bent nor blurred",
-            "materials are drawn as thin glass: light is neither bent nor blurred");
     warn_of(file, colors, &file->gloss_textures, "drawn without its specularGlossinessTexture",
             "materials are drawn without their specularGlossinessTexture");
     warn_of(file, colors, &file->clamped, "beyond its range, and clamped",

@@ -9,9 +9,20 @@
 
 /* ---- textures ---- */
 
-const char *const zr_texture_keys[ZR_TEXTURE_SLOTS] = {
-    "baseColorTexture", "metallicRoughnessTexture", "normalTexture", "occlusionTexture", "emissiveTexture",
-    "clearcoatTexture", "clearcoatRoughnessTexture"};
+const char *const zr_texture_keys[ZR_TEXTURE_SLOTS] = {"baseColorTexture",
+                                                       "metallicRoughnessTexture",
+                                                       "normalTexture",
+                                                       "occlusionTexture",
+                                                       "emissiveTexture",
+                                                       "clearcoatTexture",
+                                                       "clearcoatRoughnessTexture",
+                                                       "clearcoatNormalTexture",
+                                                       "sheenColorTexture",
+                                                       "iridescenceTexture",
+                                                       "iridescenceThicknessTexture",
+                                                       "transmissionTexture",
+                                                       "thicknessTexture",
+                                                       "anisotropyTexture"};
 
 const uint32_t zr_filter_numbers[ZR_FILTER_COUNT] = {9728, 9729, 9984, 9985, 9986, 9987};
 const uint32_t zr_wrap_numbers[ZR_WRAP_COUNT] = {10497, 33648, 33071};

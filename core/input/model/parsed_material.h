@@ -31,6 +31,10 @@ struct zr_parsed_texture {
 /* Largest thickness of a thin film, nanometres. Thicker ones have no colours. */
 #define ZR_FILM_NM_MAX 1e5
 
+/* Largest thickness of a volume, distance of its attenuation, and dispersion. */
+#define ZR_VOLUME_MAX     1e15
+#define ZR_DISPERSION_MAX 1000.0
+
 /* Keys of a material. */
 enum zr_material_key {
     ZR_MATERIAL_NAME,
@@ -52,12 +56,26 @@ enum zr_material_key {
     ZR_MATERIAL_COAT_ROUGHNESS,
     ZR_MATERIAL_COAT_TEXTURE,
     ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE,
+    ZR_MATERIAL_COAT_NORMAL_TEXTURE,
     ZR_MATERIAL_SHEEN,
     ZR_MATERIAL_SHEEN_ROUGHNESS,
+    ZR_MATERIAL_SHEEN_TEXTURE,
     ZR_MATERIAL_FILM,
     ZR_MATERIAL_FILM_IOR,
     ZR_MATERIAL_FILM_THICKNESS,
+    ZR_MATERIAL_FILM_THINNEST,
+    ZR_MATERIAL_FILM_TEXTURE,
+    ZR_MATERIAL_FILM_THICKNESS_TEXTURE,
+    ZR_MATERIAL_ANISOTROPY,
+    ZR_MATERIAL_ANISOTROPY_ROTATION,
+    ZR_MATERIAL_ANISOTROPY_TEXTURE,
     ZR_MATERIAL_TRANSMISSION,
+    ZR_MATERIAL_TRANSMISSION_TEXTURE,
+    ZR_MATERIAL_THICKNESS,
+    ZR_MATERIAL_THICKNESS_TEXTURE,
+    ZR_MATERIAL_ATTENUATION_COLOR,
+    ZR_MATERIAL_ATTENUATION_DISTANCE,
+    ZR_MATERIAL_DISPERSION,
     ZR_MATERIAL_BASE_COLOR_TEXTURE
 };
 
@@ -70,6 +88,7 @@ struct zr_parsed_material {
     float shininess, metallic, roughness, ior, specular_factor;
     zr_vec3 emissive, specular_color;
     struct zr_finish finish;
+    double anisotropy_rotation; /* radians */
     struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
     bool blends;           /* of a file: blended, unless an alphaMode applies */

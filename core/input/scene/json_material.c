@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/rgba.h"
+#include "base/trig.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/text/names.h"
@@ -18,6 +19,7 @@
 
 #define EMISSIVE_MAX 1e6
 #define IOR_MAX      100.0
+#define ROTATION_MAX 1e6
 
 /* ---- outlines ---- */
 
@@ -90,18 +92,56 @@ static const struct zr_json_field fields[] = {
     [ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE] = {"clearcoatRoughnessTexture", zr_read_texture,
                                             AT(textures[ZR_TEXTURE_COAT_ROUGHNESS]), .otherwise = "none",
                                             .text = "pbr: factor of clearcoatRoughnessFactor, in green"},
+    [ZR_MATERIAL_COAT_NORMAL_TEXTURE] = {"clearcoatNormalTexture", zr_read_normal_texture,
+                                         AT(textures[ZR_TEXTURE_COAT_NORMAL]), .otherwise = "none",
+                                         .text = "pbr: normal map of the clear coat"},
     [ZR_MATERIAL_SHEEN] = {"sheenColorFactor", read_emissive, AT(finish.sheen), 0, 1, .otherwise = "[0, 0, 0]",
                            .text = "pbr: colour of sheen, as of cloth, linear", .schema = ZR_SCHEMA_OF("rgb")},
     [ZR_MATERIAL_SHEEN_ROUGHNESS] = {"sheenRoughnessFactor", zr_json_float, AT(finish.sheen_roughness), 0, 1,
                                      .otherwise = "0", .text = "pbr: roughness of sheen"},
+    [ZR_MATERIAL_SHEEN_TEXTURE] = {"sheenColorTexture", zr_read_texture, AT(textures[ZR_TEXTURE_SHEEN]),
+                                   .otherwise = "none", .text = "pbr: factor of sheenColorFactor"},
     [ZR_MATERIAL_FILM] = {"iridescenceFactor", zr_json_float, AT(finish.film), 0, 1, .otherwise = "0",
                           .text = "pbr: share of the surface with a thin film"},
     [ZR_MATERIAL_FILM_IOR] = {"iridescenceIor", zr_json_float, AT(finish.film_ior), 1, IOR_MAX, .otherwise = "1.3",
                               .text = "pbr: index of refraction of the film"},
     [ZR_MATERIAL_FILM_THICKNESS] = {"iridescenceThickness", zr_json_float, AT(finish.film_nm), 0, ZR_FILM_NM_MAX,
                                     .otherwise = "400", .text = "pbr: thickness of the film", .unit = "nm"},
+    [ZR_MATERIAL_FILM_THINNEST] = {"iridescenceThicknessMinimum", zr_json_float, AT(finish.film_thinnest), 0,
+                                   ZR_FILM_NM_MAX, .otherwise = "100",
+                                   .text = "pbr: thickness where iridescenceThicknessTexture is 0", .unit = "nm"},
+    [ZR_MATERIAL_FILM_TEXTURE] = {"iridescenceTexture", zr_read_texture, AT(textures[ZR_TEXTURE_FILM]),
+                                  .otherwise = "none", .text = "pbr: factor of iridescenceFactor, in red"},
+    [ZR_MATERIAL_FILM_THICKNESS_TEXTURE] = {"iridescenceThicknessTexture", zr_read_texture,
+                                            AT(textures[ZR_TEXTURE_FILM_THICKNESS]), .otherwise = "none",
+                                            .text = "pbr: thickness of the film, in green: 1 is iridescenceThickness"},
+    [ZR_MATERIAL_ANISOTROPY] = {"anisotropyStrength", zr_json_float, AT(finish.anisotropy), 0, 1, .otherwise = "0",
+                                .text = "pbr: length of highlights, as on brushed metal"},
+    [ZR_MATERIAL_ANISOTROPY_ROTATION] = {"anisotropyRotation", zr_json_number, AT(anisotropy_rotation), -ROTATION_MAX,
+                                         ROTATION_MAX, .otherwise = "0",
+                                         .text =
+                                             "pbr: direction of long highlights, from the tangent, counter-clockwise",
+                                         .unit = "rad"},
+    [ZR_MATERIAL_ANISOTROPY_TEXTURE] = {"anisotropyTexture", zr_read_texture, AT(textures[ZR_TEXTURE_ANISOTROPY]),
+                                        .otherwise = "none",
+                                        .text = "pbr: direction (red, green) and factor of anisotropyStrength (blue)"},
     [ZR_MATERIAL_TRANSMISSION] = {"transmissionFactor", zr_json_float, AT(finish.transmission), 0, 1, .otherwise = "0",
                                   .text = "pbr: share of the light that passes through"},
+    [ZR_MATERIAL_TRANSMISSION_TEXTURE] = {"transmissionTexture", zr_read_texture, AT(textures[ZR_TEXTURE_TRANSMISSION]),
+                                          .otherwise = "none", .text = "pbr: factor of transmissionFactor, in red"},
+    [ZR_MATERIAL_THICKNESS] = {"thicknessFactor", zr_json_float, AT(finish.thickness), 0, ZR_VOLUME_MAX,
+                               .otherwise = "0", .text = "pbr: length of rays in glass, in units of the mesh"},
+    [ZR_MATERIAL_THICKNESS_TEXTURE] = {"thicknessTexture", zr_read_texture, AT(textures[ZR_TEXTURE_THICKNESS]),
+                                       .otherwise = "none", .text = "pbr: factor of thicknessFactor, in green"},
+    [ZR_MATERIAL_ATTENUATION_COLOR] = {"attenuationColor", read_emissive, AT(finish.attenuation), 0, 1,
+                                       .otherwise = "[1, 1, 1]",
+                                       .text = "pbr: colour of white light after attenuationDistance, linear",
+                                       .schema = ZR_SCHEMA_OF("rgb")},
+    [ZR_MATERIAL_ATTENUATION_DISTANCE] = {"attenuationDistance", zr_json_float, AT(finish.distance), 0, ZR_VOLUME_MAX,
+                                          .otherwise = "0",
+                                          .text = "pbr: distance in glass of attenuationColor; 0: no attenuation"},
+    [ZR_MATERIAL_DISPERSION] = {"dispersion", zr_json_float, AT(finish.dispersion), 0, ZR_DISPERSION_MAX,
+                                .otherwise = "0", .text = "pbr: dispersion of glass, 20 / Abbe number"},
     [ZR_MATERIAL_BASE_COLOR_TEXTURE] = {"baseColorTexture", zr_read_texture, AT(textures[ZR_TEXTURE_BASE_COLOR]),
                                         .otherwise = "none", .text = "factor of the colours of faces"},
     ZR_FACE_STYLE_FIELDS(struct zr_parsed_material, face_style),
@@ -204,6 +244,58 @@ static void put_reflectance(const struct zr_parsed_material *given, struct zr_ma
     material->grazing = (float)factor;
 }
 
+/* A given texture replaces the factor 0 by 1, unless the factor is given. */
+static void put_factors(const struct zr_parsed_material *given, struct zr_finish *finish)
+{
+    const struct {
+        enum zr_material_key texture, key;
+        float *factor;
+    } factors[] = {{ZR_MATERIAL_COAT_TEXTURE, ZR_MATERIAL_COAT, &finish->coat},
+                   {ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE, ZR_MATERIAL_COAT_ROUGHNESS, &finish->coat_roughness},
+                   {ZR_MATERIAL_FILM_TEXTURE, ZR_MATERIAL_FILM, &finish->film},
+                   {ZR_MATERIAL_ANISOTROPY_TEXTURE, ZR_MATERIAL_ANISOTROPY, &finish->anisotropy},
+                   {ZR_MATERIAL_TRANSMISSION_TEXTURE, ZR_MATERIAL_TRANSMISSION, &finish->transmission},
+                   {ZR_MATERIAL_THICKNESS_TEXTURE, ZR_MATERIAL_THICKNESS, &finish->thickness}};
+    for (size_t i = 0; i < sizeof factors / sizeof *factors; i++)
+        if (zr_json_gives(given->keys, factors[i].texture) && !zr_json_gives(given->keys, factors[i].key))
+            *factors[i].factor = 1.0f;
+    if (zr_json_gives(given->keys, ZR_MATERIAL_SHEEN_TEXTURE) && !zr_json_gives(given->keys, ZR_MATERIAL_SHEEN))
+        finish->sheen = (zr_vec3){1, 1, 1};
+}
+
+/* A film of thickness 0 is none. */
+static void put_film(const struct zr_parsed_material *given, struct zr_finish *finish)
+{
+    const bool has_texture = given->textures[ZR_TEXTURE_FILM_THICKNESS].number > 0;
+    if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_IOR)) finish->film_ior = 1.3f;
+    if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_THICKNESS)) finish->film_nm = 400.0f;
+    if (!has_texture)
+        finish->film_thinnest = 0.0f;
+    else if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_THINNEST))
+        finish->film_thinnest = 100.0f;
+    if (finish->film > 0.0f && (finish->film_nm > 0.0f || finish->film_thinnest > 0.0f)) return;
+    finish->film = finish->film_ior = finish->film_nm = finish->film_thinnest = 0.0f;
+}
+
+static void put_anisotropy(const struct zr_parsed_material *given, struct zr_finish *finish)
+{
+    double sine, cosine;
+    if (!(finish->anisotropy > 0.0f)) return;
+    zr_sine_cosine(given->anisotropy_rotation * 57.295779513082321, &sine, &cosine);
+    finish->along[0] = (float)cosine;
+    finish->along[1] = (float)sine;
+}
+
+/* Sets the values of glass; materials without transmission have none. */
+static void put_glass(const struct zr_parsed_material *given, struct zr_finish *finish)
+{
+    finish->ior = zr_json_gives(given->keys, ZR_MATERIAL_IOR) ? given->ior : 1.5f;
+    if (!zr_json_gives(given->keys, ZR_MATERIAL_ATTENUATION_COLOR)) finish->attenuation = (zr_vec3){1, 1, 1};
+    if (finish->transmission > 0.0f) return;
+    finish->ior = finish->thickness = finish->distance = finish->dispersion = 0.0f;
+    finish->attenuation = (zr_vec3){0, 0, 0};
+}
+
 /* The material's keys override the look's values. */
 static void put_values(const struct zr_parsed_material *given, struct zr_material *material)
 {
@@ -214,10 +306,10 @@ static void put_values(const struct zr_parsed_material *given, struct zr_materia
     if (zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE)) material->emissive = given->emissive;
     put_reflectance(given, material);
     material->finish = given->finish;
-    if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_IOR)) material->finish.film_ior = 1.3f;
-    if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_THICKNESS)) material->finish.film_nm = 400.0f;
-    if (!(material->finish.film > 0.0f && material->finish.film_nm > 0.0f))
-        material->finish.film = material->finish.film_ior = material->finish.film_nm = 0.0f;
+    put_factors(given, &material->finish);
+    put_film(given, &material->finish);
+    put_anisotropy(given, &material->finish);
+    put_glass(given, &material->finish);
     if (zr_json_gives(given->keys, ZR_MATERIAL_COOL)) material->cool = rgb(given->cool);
 }
 
@@ -228,6 +320,7 @@ static void put_textures(const struct zr_parsed_material *given, struct zr_mater
         material->textures[slot] = given->textures[slot].number;
     material->is_alpha_only = given->is_alpha_only;
     material->normal_scale = given->textures[ZR_TEXTURE_NORMAL].strength;
+    material->coat_normal_scale = given->textures[ZR_TEXTURE_COAT_NORMAL].strength;
     material->occlusion_strength = given->textures[ZR_TEXTURE_OCCLUSION].strength;
     if (zr_json_gives(given->keys, ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE)) {
         if (!zr_json_gives(given->keys, ZR_MATERIAL_METALLIC)) material->metallic = 1.0f;
@@ -235,11 +328,6 @@ static void put_textures(const struct zr_parsed_material *given, struct zr_mater
     }
     if (zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE_TEXTURE) && !zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE))
         material->emissive = (zr_vec3){1, 1, 1};
-    if (zr_json_gives(given->keys, ZR_MATERIAL_COAT_TEXTURE) && !zr_json_gives(given->keys, ZR_MATERIAL_COAT))
-        material->finish.coat = 1.0f;
-    if (zr_json_gives(given->keys, ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE) &&
-        !zr_json_gives(given->keys, ZR_MATERIAL_COAT_ROUGHNESS))
-        material->finish.coat_roughness = 1.0f;
 }
 
 /* Leaves only the base colour of a material, with the numbers of its file; white without a given material. */
@@ -275,12 +363,26 @@ static uint32_t shadings_of(int key)
     case ZR_MATERIAL_COAT_ROUGHNESS:
     case ZR_MATERIAL_COAT_TEXTURE:
     case ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE:
+    case ZR_MATERIAL_COAT_NORMAL_TEXTURE:
     case ZR_MATERIAL_SHEEN:
     case ZR_MATERIAL_SHEEN_ROUGHNESS:
+    case ZR_MATERIAL_SHEEN_TEXTURE:
     case ZR_MATERIAL_FILM:
     case ZR_MATERIAL_FILM_IOR:
     case ZR_MATERIAL_FILM_THICKNESS:
+    case ZR_MATERIAL_FILM_THINNEST:
+    case ZR_MATERIAL_FILM_TEXTURE:
+    case ZR_MATERIAL_FILM_THICKNESS_TEXTURE:
+    case ZR_MATERIAL_ANISOTROPY:
+    case ZR_MATERIAL_ANISOTROPY_ROTATION:
+    case ZR_MATERIAL_ANISOTROPY_TEXTURE:
     case ZR_MATERIAL_TRANSMISSION:
+    case ZR_MATERIAL_TRANSMISSION_TEXTURE:
+    case ZR_MATERIAL_THICKNESS:
+    case ZR_MATERIAL_THICKNESS_TEXTURE:
+    case ZR_MATERIAL_ATTENUATION_COLOR:
+    case ZR_MATERIAL_ATTENUATION_DISTANCE:
+    case ZR_MATERIAL_DISPERSION:
         return zr_shadings_lit(ZR_SHADED_PHYSICALLY);
     case ZR_MATERIAL_COOL:
         return zr_shadings_lit(ZR_SHADED_BY_OWN_LAMP);

@@ -165,7 +165,7 @@ static bool find_texture(struct zr_parsed_scene *root, const struct zr_json_path
                                  .wrap_t = (enum zr_wrap)given->sampler.wrap_t,
                                  .magnify = (enum zr_filter)given->sampler.magnify,
                                  .minify = (enum zr_filter)given->sampler.minify,
-                                 .is_color = slot == ZR_TEXTURE_BASE_COLOR || slot == ZR_TEXTURE_EMISSIVE};
+                                 .is_color = zr_slot_is_color(slot)};
     if (!zr_parsed_find_image(root, path, &given->name, &texture.image)) return false;
     if (root->scene->texture_count >= ZR_TEXTURES_MAX)
         return zr_json_fault(&root->json, path, "more than the %d textures that are allowed", ZR_TEXTURES_MAX);

@@ -28,7 +28,7 @@ int zr_names_of_query(const char *parameter, const struct zr_names *names, const
 
 /* Lists the supported words, for a message: "a, b, c". */
 struct zr_names_text {
-    char text[640];
+    char text[960];
 };
 struct zr_names_text zr_names_join(const struct zr_names *names);
 

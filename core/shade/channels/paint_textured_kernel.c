@@ -111,10 +111,10 @@ static inline unsigned zr_sample_alike(const struct zr_texture_map *const *maps,
 /* Samples the textures of a material. Those of one place share the search for their texels: a tenth of the time of the
  * helmet of `make bench-looks`. */
 static inline void zr_texels_at(const struct zr_texture_maps *maps, const struct zr_material *material,
-                                const struct zr_texcoords_v *texcoords, struct zr_texels_v *out)
+                                const struct zr_texcoords_v *texcoords, bool finished, struct zr_texels_v *out)
 {
     const struct zr_texture_map *own[ZR_TEXTURE_SLOTS];
-    const int slots = maps->of_finishes ? ZR_TEXTURE_SLOTS : ZR_TEXTURE_COAT;
+    const int slots = finished ? ZR_TEXTURE_SLOTS : ZR_TEXTURE_COAT;
     out->slots = 0;
     for (int slot = 0; slot < slots; slot++) {
         own[slot] = zr_texture_map_of(maps, material, (enum zr_texture_slot)slot);
@@ -146,6 +146,19 @@ static inline struct zr_vec3_v zr_mapped_normal_v(struct zr_vec3_v texel, float 
     return zr_choose_v(has_one, zr_normalize_v(sum), normal);
 }
 
+/* Returns the unit vector along the surface that a direction between tangent and bitangent has, or 0 without a
+ * tangent. x, y: of the direction; it is turned by the material's angle. */
+static inline struct zr_vec3_v zr_direction_along_v(zr_vf x, zr_vf y, const float turn[2],
+                                                    const struct zr_frame_v *frame)
+{
+    const struct zr_vec3_v normal = frame->normal, along = frame->along;
+    const zr_vf cosine = zr_vf_set(turn[0]), sine = zr_vf_set(turn[1]);
+    const struct zr_vec3_v tangent = zr_normalize_v(zr_minus_v(along, zr_scale_v(normal, zr_dot_v(normal, along))));
+    const struct zr_vec3_v bitangent = zr_scale_v(zr_cross_v(normal, tangent), frame->sign);
+    return zr_normalize_v(
+        zr_add_v(zr_scale_v(tangent, x * cosine - y * sine), zr_scale_v(bitangent, x * sine + y * cosine)));
+}
+
 /* Positions in the G-buffer's order of values. */
 enum {
     ZR_ROUGHNESS_VALUE = 3,
@@ -153,7 +166,16 @@ enum {
     ZR_OCCLUSION_VALUE,
     ZR_EMISSIVE_VALUE,
     ZR_NORMAL_VALUE = 9,
-    ZR_COAT_VALUE = 12
+    ZR_COAT_VALUE = 12,
+    ZR_COAT_ROUGHNESS_VALUE,
+    ZR_COAT_NORMAL_VALUE,
+    ZR_SHEEN_VALUE = 17,
+    ZR_FILM_VALUE = 20,
+    ZR_FILM_THICKNESS_VALUE,
+    ZR_TRANSMISSION_VALUE,
+    ZR_THICKNESS_VALUE,
+    ZR_ALONG_VALUE,
+    ZR_ANISOTROPY_VALUE = 27
 };
 
 static inline void zr_take_three(zr_vf *out, zr_vm where, struct zr_vec3_v color)
@@ -163,16 +185,62 @@ static inline void zr_take_three(zr_vf *out, zr_vm where, struct zr_vec3_v color
     out[2] = zr_vf_select(where, color.z, out[2]);
 }
 
+#define HAS(slot)      (texels->slots >> ZR_TEXTURE_##slot & 1u)
+#define TAKE(value, v) (out[value] = zr_vf_select(where, v, out[value]))
+
+/* Sets the direction of anisotropy, and the factor of its strength. */
+static inline void zr_take_anisotropy(zr_vf out[ZR_ROWS_MOST], const struct zr_material *material,
+                                      const struct zr_texels_v *texels, const struct zr_frame_v *frame, zr_vm where)
+{
+    const zr_vf one = zr_vf_set(1.0f), two = zr_vf_set(2.0f);
+    zr_vf x = one, y = zr_vf_set(0.0f);
+    if (!(material->finish.anisotropy > 0.0f)) return;
+    if (HAS(ANISOTROPY)) {
+        const struct zr_vec3_v texel = texels->of[ZR_TEXTURE_ANISOTROPY];
+        x = texel.x * two - one;
+        y = texel.y * two - one;
+        TAKE(ZR_ANISOTROPY_VALUE, texel.z);
+    }
+    zr_take_three(out + ZR_ALONG_VALUE, where, zr_direction_along_v(x, y, material->finish.along, frame));
+}
+
+/* Sets the values of surfaces without textures of finishes. */
+static inline void zr_begin_finishes(struct zr_vec3_v normal, zr_vf out[ZR_ROWS_MOST])
+{
+    for (int k = ZR_COAT_VALUE; k < ZR_TEXTURE_VALUES_FINISHED; k++)
+        out[k] = zr_vf_set(1.0f);
+    for (int k = 0; k < 3; k++)
+        out[ZR_ALONG_VALUE + k] = zr_vf_set(0.0f);
+    out[ZR_COAT_NORMAL_VALUE] = normal.x;
+    out[ZR_COAT_NORMAL_VALUE + 1] = normal.y;
+    out[ZR_COAT_NORMAL_VALUE + 2] = normal.z;
+}
+
+static inline void zr_take_finishes(zr_vf out[ZR_ROWS_MOST], const struct zr_material *material,
+                                    const struct zr_texels_v *texels, const struct zr_frame_v *frame, zr_vm where)
+{
+    const struct zr_vec3_v *of = texels->of;
+    if (HAS(COAT)) TAKE(ZR_COAT_VALUE, of[ZR_TEXTURE_COAT].x);
+    if (HAS(COAT_ROUGHNESS)) TAKE(ZR_COAT_ROUGHNESS_VALUE, of[ZR_TEXTURE_COAT_ROUGHNESS].y);
+    if (HAS(COAT_NORMAL))
+        zr_take_three(out + ZR_COAT_NORMAL_VALUE, where,
+                      zr_mapped_normal_v(of[ZR_TEXTURE_COAT_NORMAL], material->coat_normal_scale, frame));
+    if (HAS(SHEEN)) zr_take_three(out + ZR_SHEEN_VALUE, where, of[ZR_TEXTURE_SHEEN]);
+    if (HAS(FILM)) TAKE(ZR_FILM_VALUE, of[ZR_TEXTURE_FILM].x);
+    if (HAS(FILM_THICKNESS)) TAKE(ZR_FILM_THICKNESS_VALUE, of[ZR_TEXTURE_FILM_THICKNESS].y);
+    if (HAS(TRANSMISSION)) TAKE(ZR_TRANSMISSION_VALUE, of[ZR_TEXTURE_TRANSMISSION].x);
+    if (HAS(THICKNESS)) TAKE(ZR_THICKNESS_VALUE, of[ZR_TEXTURE_THICKNESS].y);
+    zr_take_anisotropy(out, material, texels, frame, where);
+}
+
 /* Samples the textures of one material for the samples `where`. May be repeated for one material. */
 static inline void zr_take_textures(zr_vf out[ZR_ROWS_MOST], const struct zr_texture_maps *maps,
                                     const struct zr_material *material, const struct zr_texcoords_v *texcoords,
-                                    const struct zr_frame_v *frame, zr_vm where)
+                                    const struct zr_frame_v *frame, zr_vm where, bool finished)
 {
-    struct zr_texels_v texels;
-    const struct zr_vec3_v *of = texels.of;
-    zr_texels_at(maps, material, texcoords, &texels);
-#define HAS(slot)      (texels.slots >> ZR_TEXTURE_##slot & 1u)
-#define TAKE(value, v) (out[value] = zr_vf_select(where, v, out[value]))
+    struct zr_texels_v own, *texels = &own;
+    const struct zr_vec3_v *of = own.of;
+    zr_texels_at(maps, material, texcoords, finished, texels);
     if (HAS(BASE_COLOR)) zr_take_three(out, where, of[ZR_TEXTURE_BASE_COLOR]);
     if (HAS(METALLIC_ROUGHNESS)) {
         TAKE(ZR_ROUGHNESS_VALUE, of[ZR_TEXTURE_METALLIC_ROUGHNESS].y);
@@ -183,17 +251,15 @@ static inline void zr_take_textures(zr_vf out[ZR_ROWS_MOST], const struct zr_tex
     if (HAS(NORMAL))
         zr_take_three(out + ZR_NORMAL_VALUE, where,
                       zr_mapped_normal_v(of[ZR_TEXTURE_NORMAL], material->normal_scale, frame));
-    if (HAS(COAT)) TAKE(ZR_COAT_VALUE, of[ZR_TEXTURE_COAT].x);
-    if (HAS(COAT_ROUGHNESS)) TAKE(ZR_COAT_VALUE + 1, of[ZR_TEXTURE_COAT_ROUGHNESS].y);
+    if (finished) zr_take_finishes(out, material, texels, frame, where);
+}
 #undef HAS
 #undef TAKE
-}
 
-/* Makes the texture values. context: the G-buffer. Without a texture of a kind: 1, and the surface's own normal. */
-ZR_INLINED void zr_make_textures(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
-                                 const void *context, zr_vf values[ZR_ROWS_MOST])
+/* Makes the texture values. Without a texture of a kind: 1, and the surface's own normal. */
+ZR_INLINED void zr_make_values(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
+                               const struct zr_gbuffer *to, bool finished, zr_vf values[ZR_ROWS_MOST])
 {
-    const struct zr_gbuffer *to = context;
     const int tangent = zr_first_plane(mask, ZR_VARY_TANGENT);
     const struct zr_vec3_v normal = {zr_samples_load(in, to->normal[0]), zr_samples_load(in, to->normal[1]),
                                      zr_samples_load(in, to->normal[2])};
@@ -202,7 +268,7 @@ ZR_INLINED void zr_make_textures(const struct zr_shader *s, const struct zr_samp
     values[ZR_NORMAL_VALUE] = normal.x;
     values[ZR_NORMAL_VALUE + 1] = normal.y;
     values[ZR_NORMAL_VALUE + 2] = normal.z;
-    values[ZR_COAT_VALUE] = values[ZR_COAT_VALUE + 1] = zr_vf_set(1.0f);
+    if (finished) zr_begin_finishes(normal, values);
     if (in->count == 0) return;
     const zr_vf w = zr_varying_w(in);
     const struct zr_texcoords_v texcoords = zr_texcoords_of(in, zr_first_plane(mask, ZR_VARY_TEXCOORDS), w);
@@ -212,18 +278,34 @@ ZR_INLINED void zr_make_textures(const struct zr_shader *s, const struct zr_samp
         const struct zr_material *material = s->materials[i];
         if (!material || material == done) continue;
         zr_take_textures(values, &s->attributes->textures, material, &texcoords, &frame,
-                         zr_samples_of_material(s, in, i));
+                         zr_samples_of_material(s, in, i), finished);
         done = material;
     }
+}
+
+/* Without and with values of finishes. context: the G-buffer. */
+ZR_INLINED void zr_make_textures(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
+                                 const void *context, zr_vf values[ZR_ROWS_MOST])
+{
+    zr_make_values(s, in, mask, context, false, values);
+}
+
+ZR_INLINED void zr_make_finished(const struct zr_shader *s, const struct zr_samples_v *in, unsigned mask,
+                                 const void *context, zr_vf values[ZR_ROWS_MOST])
+{
+    zr_make_values(s, in, mask, context, true, values);
 }
 
 static inline struct zr_varying_rows zr_texture_rows_of(const struct zr_gbuffer *to)
 {
     const struct zr_gbuffer_textures *t = to->textures;
-    return (struct zr_varying_rows){{t->base[0], t->base[1], t->base[2], t->roughness, t->metallic, t->occlusion,
-                                     t->emissive[0], t->emissive[1], t->emissive[2], t->normal[0], t->normal[1],
-                                     t->normal[2], t->coat, t->coat_roughness},
-                                    to->stride};
+    return (struct zr_varying_rows){
+        {t->base[0],     t->base[1],        t->base[2],        t->roughness,      t->metallic,       t->occlusion,
+         t->emissive[0], t->emissive[1],    t->emissive[2],    t->normal[0],      t->normal[1],      t->normal[2],
+         t->coat,        t->coat_roughness, t->coat_normal[0], t->coat_normal[1], t->coat_normal[2], t->sheen[0],
+         t->sheen[1],    t->sheen[2],       t->film,           t->film_thickness, t->transmission,   t->thickness,
+         t->along[0],    t->along[1],       t->along[2],       t->anisotropy},
+        to->stride};
 }
 
 void ZR_KERNEL(zr_paint_textured)(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
@@ -238,7 +320,7 @@ void ZR_KERNEL(zr_sample_textures)(struct zr_shader *s, const struct zr_tile *ti
     enum { GROUPS = ZR_VARY_TEXCOORDS | ZR_VARY_TANGENT | ZR_VARY_PER_PIXEL };
     const struct zr_varying_rows rows = zr_texture_rows_of(to);
     if (s->attributes->textures.of_finishes)
-        zr_varyings_fill(s, tile, begin, end, GROUPS, zr_make_textures, to, ZR_TEXTURE_VALUES_FINISHED, &rows);
+        zr_varyings_fill(s, tile, begin, end, GROUPS, zr_make_finished, to, ZR_TEXTURE_VALUES_FINISHED, &rows);
     else
         zr_varyings_fill(s, tile, begin, end, GROUPS, zr_make_textures, to, ZR_TEXTURE_VALUES, &rows);
 }

@@ -15,14 +15,20 @@
 
 /* Values from textures, per sample. Without a texture of a kind: 1, and the surface's own normal. */
 struct zr_gbuffer_textures {
-    float *base[3];               /* factors of the base colour, in linear light */
-    float *roughness, *metallic;  /* factors */
-    float *occlusion;             /* share of the ambient light that arrives */
-    float *emissive[3];           /* factors, linear */
-    float *normal[3];             /* unit, of the visible side */
-    float *coat, *coat_roughness; /* factors; NULL: no material has a texture of its finish */
+    float *base[3];              /* factors of the base colour, in linear light */
+    float *roughness, *metallic; /* factors */
+    float *occlusion;            /* share of the ambient light that arrives */
+    float *emissive[3];          /* factors, linear */
+    float *normal[3];            /* unit, of the visible side */
+    /* All NULL: no material has a texture of its finish, or anisotropy. */
+    float *coat, *coat_roughness;    /* factors */
+    float *coat_normal[3];           /* unit */
+    float *sheen[3];                 /* factors, linear */
+    float *film, *film_thickness;    /* factor; share of the way from the least to the largest thickness */
+    float *transmission, *thickness; /* factors */
+    float *along[3], *anisotropy;    /* unit vector along which highlights are long, 0: none; factor */
 };
-enum { ZR_TEXTURE_VALUES = 12, ZR_TEXTURE_VALUES_FINISHED = 14 }; /* values per sample, in this order */
+enum { ZR_TEXTURE_VALUES = 12, ZR_TEXTURE_VALUES_FINISHED = 28 }; /* values per sample, in this order */
 
 struct zr_gbuffer {
     int32_t width, height;

@@ -8,6 +8,7 @@
 
 #include "base/isa.h"
 #include "scene/scene.h"
+#include "shade/lights/backdrop.h"
 #include "shade/lights/environment.h"
 #include "shade/lights/gbuffer.h"
 #include "shade/lights/lamp.h"
@@ -27,6 +28,7 @@ struct zr_linear_lighting {
     enum zr_tone tone;
     float exposure;
     struct zr_gooch gooch;
+    const struct zr_backdrop *backdrop; /* of glass; NULL: no glass has a volume or is rough */
 };
 
 /* Writes the colours of all samples to out[0..2], laid out like the samples. Up to 15 values beyond each row's end may

@@ -63,20 +63,21 @@ struct zr_film_v {
     zr_vf share;
 };
 
-static inline struct zr_film_v zr_film_make(const struct zr_finish *finish, zr_vf facing)
+/* share: of the surface; nm: thickness. */
+static inline struct zr_film_v zr_film_make(float ior, zr_vf share, zr_vf nm, zr_vf facing)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
-    const float ior = finish->film_ior, root = (ior - 1.0f) / (ior + 1.0f);
+    const float root = (ior - 1.0f) / (ior + 1.0f);
     const zr_vf square_sine = zr_vf_set(1.0f / (ior * ior)) * (one - facing * facing);
     const zr_vf cosine = zr_vf_sqrt(zr_vf_max(one - square_sine, zero));
-    const zr_vf path = zr_vf_set(2.0f * ior * finish->film_nm) * cosine, grazing = zr_fifth_power_v(one - facing);
+    const zr_vf path = zr_vf_set(2.0f * ior) * nm * cosine, grazing = zr_fifth_power_v(one - facing);
     return (struct zr_film_v){.first = zr_film_colors_v(path),
                               .second = zr_film_colors_v(path + path),
                               .ior = zr_vf_set(ior),
                               .upper = zr_mix_v(zr_vf_set(root * root), one, grazing),
                               .within = zr_fifth_power_v(one - cosine),
                               .grazing = grazing,
-                              .share = zr_vf_set(finish->film)};
+                              .share = share};
 }
 
 /* Returns the reflectance at normal incidence by which Schlick's term gives that of the film at N.V. f0: of the surface

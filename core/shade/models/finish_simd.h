@@ -1,13 +1,14 @@
 /* finish_simd.h - shade: finishes of pbr surfaces (struct zr_finish), for kernels. Films: film_simd.h.
  *
  * Clear coat: a layer with the index of refraction 1.5, whose share of the light is Fc = factor (.04 + .96 (1 -
- *             N.V)^5), by the surface's normal without its normal map. The light is (1 - Fc) below + Fc of the coat:
- *             L(R) at the coat's roughness, and GGX's specular term of lamps.
+ *             N.V)^5), by the surface's normal with the normal map of the coat alone. The light is (1 - Fc) below +
+ *             Fc of the coat: L(R) at the coat's roughness, and GGX's specular term of lamps.
  * Sheen:      fibres, below the coat: colour (T E(N) + lamps) + (1 - max(colour) T) below. T is that of sheen.h. Lamps:
  *             Charlie's distribution and Ashikhmin's visibility.
- * Glass:      blended, its opacity is that of glass_opacity_v. The colour is divided by it, so that reflections keep
- *             their strength. The least channel of a tint attenuates the background; the rest of the others is
- *             the light all around. A ray through glass is not bent.
+ * Glass:      light of the backdrop that refraction_simd.h finds is added to that of the surface, which is opaque.
+ *             Thin and smooth glass, and glass without a backdrop, is blended instead: its opacity is that of
+ *             glass_opacity_v. The colour is divided by it, so that reflections keep their strength. The least channel
+ *             of a tint attenuates the background; the rest of the others is the light all around.
  * Uniform light from everywhere stays as it is below coats and white sheens.
  * Source:     KHR_materials_clearcoat, KHR_materials_sheen, KHR_materials_transmission.
  */
@@ -17,6 +18,7 @@
 #include "shade/lights/sheen.h"
 #include "shade/models/glass_simd.h"
 #include "shade/models/pbr_simd.h"
+#include "shade/models/refraction_simd.h"
 
 static inline zr_vf zr_facing_v(struct zr_vec3_v normal, struct zr_vec3_v to_eye)
 {
@@ -48,7 +50,7 @@ static inline struct zr_vec3_v zr_coated_v(const struct zr_linear_lighting *ligh
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
     struct zr_shading_v top = *s;
-    top.normal = s->textured->surface_normal;
+    top.normal = s->textured->coat_normal;
     const struct zr_pbr_v coat = {.diffuse = {zero, zero, zero},
                                   .f0 = {one, one, one},
                                   .f90 = one,
@@ -105,12 +107,40 @@ static inline struct zr_vec3_v zr_with_sheen_v(const struct zr_linear_lighting *
     for (uint32_t i = 0; i < lighting->lights.count; i++)
         if (zr_lamp_is_single(&lighting->lights.lamps[i]))
             sum = zr_add_v(sum, zr_sheen_lamp_v(&lighting->lights.lamps[i], s, facing, 1.0f / (roughness * roughness)));
-    const zr_vf through = zr_vf_set(1.0f) - zr_vf_set(zr_largest_of(finish->sheen)) * albedo;
-    return zr_add_v(zr_mul_v(zr_spread_v(finish->sheen), sum),
-                    zr_scale_v(below, ZR_MUTANT(sheen_adds_light, through, zr_vf_set(1.0f))));
+    const struct zr_vec3_v color = s->textured->sheen;
+    const zr_vf through = zr_vf_set(1.0f) - zr_vf_max(color.x, zr_vf_max(color.y, color.z)) * albedo;
+    return zr_add_v(zr_mul_v(color, sum), zr_scale_v(below, ZR_MUTANT(sheen_adds_light, through, zr_vf_set(1.0f))));
 }
 
 /* ---- glass ---- */
+
+/* Returns the share of light that is not reflected, and that of each colour that the glass leaves of it. */
+static inline struct zr_vec3_v zr_glass_share_v(const struct zr_backdrop *backdrop, const struct zr_material *material,
+                                                uint32_t number, const struct zr_shading_v *s)
+{
+    const zr_vf one = zr_vf_set(1.0f);
+    zr_vf a, b;
+    zr_dfg_at_each_v(s->textured->roughness, zr_facing_v(s->normal, s->to_eye), &a, &b);
+    const struct zr_bounces_v bounces =
+        zr_bounces_of_v(zr_vf_set(zr_largest_of(material->reflectance)), zr_vf_set(material->grazing), a, b);
+    const zr_vf entering = one - bounces.once / (one - bounces.scattered);
+    const zr_vf passing = s->textured->transmission * (one - s->textured->metallic) * entering;
+    const struct zr_vec3_v left = zr_attenuated_v(zr_spread_v(material->finish.attenuation),
+                                                  s->textured->thickness * zr_vf_set(backdrop->power[number]));
+    return zr_scale_v(zr_mul_v(s->base, left), passing);
+}
+
+/* Adds the light that is seen through glass to light as it is shown. */
+static inline struct zr_vec3_v zr_with_backdrop_v(const struct zr_backdrop *backdrop,
+                                                  const struct zr_material *material, uint32_t number,
+                                                  const struct zr_shading_v *s, struct zr_vec3_v light)
+{
+    const zr_vf one = zr_vf_set(1.0f);
+    const struct zr_vec3_v behind =
+        zr_dispersed_v(backdrop, &material->finish, s, s->textured->thickness * zr_vf_set(backdrop->thickness[number]));
+    const struct zr_vec3_v sum = zr_add_v(light, zr_mul_v(behind, zr_glass_share_v(backdrop, material, number, s)));
+    return (struct zr_vec3_v){zr_vf_min(sum.x, one), zr_vf_min(sum.y, one), zr_vf_min(sum.z, one)};
+}
 
 /* Adds the light behind a tinted glass, and divides the light by the opacity. surface: without textures and
  * finishes. */
@@ -122,8 +152,11 @@ static inline struct zr_vec3_v zr_glass_light_v(const struct zr_linear_lighting 
     const struct zr_glass_v glass = {zr_vf_set(material->finish.transmission * (1.0f - material->metallic)),
                                      zr_vf_set(zr_largest_of(material->reflectance)), zr_vf_set(material->grazing)};
     const zr_vf passing = zr_glass_passing_v(&glass, s->textured->surface_normal, s->to_eye);
-    const zr_vf seen = passing * zr_least_of_v(s->textured->surface_base);
-    const struct zr_vec3_v through = zr_scale_v(s->base, passing);
+    const uint32_t number = (uint32_t)(material - lighting->materials);
+    const struct zr_vec3_v left =
+        zr_attenuated_v(zr_spread_v(material->finish.attenuation), zr_vf_set(zr_power_of(lighting, number)));
+    const zr_vf seen = passing * zr_least_of_v(zr_mul_v(s->textured->surface_base, left));
+    const struct zr_vec3_v through = zr_scale_v(zr_mul_v(s->base, left), passing);
     struct zr_shading_v behind = *s;
     behind.normal = zr_scale_v(s->to_eye, zr_vf_set(-1.0f));
     const struct zr_pbr_v soft = {.facing = one, .alphas = one};
@@ -144,7 +177,8 @@ ZR_INLINED struct zr_vec3_v zr_shade_finished_v(const struct zr_linear_lighting 
     struct zr_vec3_v light = zr_shade_pbr_v(lighting, material, NULL, s);
     if (zr_finish_has_sheen(finish)) light = zr_with_sheen_v(lighting, finish, s, light);
     if (finish->coat > 0.0f) light = zr_coated_v(lighting, s, light);
-    return zr_material_is_glass(material) ? zr_glass_light_v(lighting, material, s, light) : light;
+    if (!zr_material_is_glass(material) || zr_has_backdrop(lighting, material)) return light;
+    return zr_glass_light_v(lighting, material, s, light);
 }
 
 #endif

@@ -56,7 +56,7 @@ static inline struct zr_vec3_v shade_all(const struct zr_linear_lighting *lighti
         const uint32_t number = each[zr_lowest_bit(left)];
         const zr_vm of_it = zr_vi_eq(numbers, zr_vi_set((int32_t)number));
         const struct zr_material *material = &lighting->materials[number];
-        const bool is_textured = textures && zr_material_has_textures(material);
+        const bool is_textured = textures && zr_material_is_mapped(material);
         const struct zr_vec3_v color = zr_material_has_finish(material)
                                            ? shade_finished(lighting, material, is_textured ? textures : NULL, at, s)
                                        : is_textured ? shade_textured(lighting, material, textures, at, s)

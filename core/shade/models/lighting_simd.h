@@ -45,7 +45,12 @@ ZR_INLINED struct zr_vec3_v zr_shade_v(const struct zr_linear_lighting *lighting
     case ZR_SHADING_PHONG:
         return zr_exposed(lighting, zr_shade_classic_v(lighting, material, s));
     case ZR_SHADING_PBR:
-        if (ZR_FINISHES) return zr_exposed(lighting, zr_shade_finished_v(lighting, material, s));
+        if (ZR_FINISHES) {
+            const struct zr_vec3_v light = zr_exposed(lighting, zr_shade_finished_v(lighting, material, s));
+            if (!zr_has_backdrop(lighting, material)) return light;
+            return zr_with_backdrop_v(lighting->backdrop, material, (uint32_t)(material - lighting->materials), s,
+                                      light);
+        }
         if (!s->textured && cache->columns.roughness != material->roughness)
             zr_dfg_columns_make(&cache->columns, material->roughness);
         return zr_exposed(lighting, zr_shade_pbr_v(lighting, material, &cache->columns, s));

@@ -19,6 +19,12 @@ static inline struct zr_textured_v textured_of(const struct zr_material *materia
     if (ZR_FINISHES) {
         out.coat = zr_vf_set(material->finish.coat);
         out.coat_roughness = zr_vf_set(material->finish.coat_roughness);
+        out.film = zr_vf_set(material->finish.film);
+        out.film_nm = zr_vf_set(material->finish.film_nm);
+        out.sheen = zr_spread_v(material->finish.sheen);
+        out.transmission = zr_vf_set(material->finish.transmission);
+        out.thickness = one;
+        out.anisotropy = zr_vf_set(0.0f);
     }
     if (ZR_FINISHES && !textures) return out;
     out.roughness = zr_vf_load(textures->roughness + at) * out.roughness;
@@ -28,6 +34,15 @@ static inline struct zr_textured_v textured_of(const struct zr_material *materia
     if (ZR_FINISHES && textures->coat) {
         out.coat = zr_vf_load(textures->coat + at) * out.coat;
         out.coat_roughness = zr_vf_load(textures->coat_roughness + at) * out.coat_roughness;
+        out.coat_normal = zr_three_of(textures->coat_normal, at);
+        out.sheen = zr_mul_v(zr_three_of(textures->sheen, at), out.sheen);
+        out.film = zr_vf_load(textures->film + at) * out.film;
+        out.film_nm =
+            zr_mix_v(zr_vf_set(material->finish.film_thinnest), out.film_nm, zr_vf_load(textures->film_thickness + at));
+        out.transmission = zr_vf_load(textures->transmission + at) * out.transmission;
+        out.thickness = zr_vf_load(textures->thickness + at);
+        out.along = zr_three_of(textures->along, at);
+        out.anisotropy = zr_vf_load(textures->anisotropy + at) * zr_vf_set(material->finish.anisotropy);
     }
     return out;
 }
@@ -42,6 +57,7 @@ void ZR_TEXTURED_KERNEL(const struct zr_linear_lighting *lighting, const struct 
     if (ZR_FINISHES) {
         textured.surface_base = plain->base;
         textured.surface_normal = plain->normal;
+        if (!textures || !textures->coat) textured.coat_normal = plain->normal;
     }
     if (textures) {
         s.base = zr_mul_v(plain->base, zr_three_of(textures->base, at));

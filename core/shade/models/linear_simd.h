@@ -34,7 +34,12 @@ struct zr_textured_v {
     zr_vf occlusion;           /* another share of ambient light, independent of the reflected colour */
     struct zr_vec3_v emissive; /* factor */
     /* With ZR_FINISHES only. */
-    zr_vf coat, coat_roughness;
+    zr_vf coat, coat_roughness, film, film_nm, transmission;
+    zr_vf thickness; /* factor */
+    zr_vf anisotropy;
+    struct zr_vec3_v along; /* unit, or 0: isotropic */
+    struct zr_vec3_v sheen; /* colour */
+    struct zr_vec3_v coat_normal;
     struct zr_vec3_v surface_base, surface_normal; /* without textures */
 };
 

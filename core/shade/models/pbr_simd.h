@@ -8,6 +8,9 @@
  * Ambient: the split sum (dfg.h), and light that bounces between the microfacets, so that no energy is lost: Fss = F0 A
  *          + F90 B, Ems = 1 - A - B, Favg = F0 + (F90 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg). The metal is Fss
  *          L(R) + Fms Ems E(N), the plastic Fss L(R) + (Fms Ems + c (1 - Fss - Fms Ems)) E(N).
+ * Anisotropic (with a finish): alpha is 1 along the direction at strength 1. Mirrored directions follow from the normal
+ *          bent towards the eye, around the bitangent (KHR_materials_anisotropy; Revie, "Implementing Fur Using
+ *          Deferred Shading", 2012). D and V: Burley, "Physically Based Shading at Disney", 2012.
  * Source:  Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", 2019.
  */
 #ifndef ZR_PBR_SIMD_H
@@ -95,12 +98,29 @@ struct zr_pbr_v {
     /* With ZR_FINISHES only: reflectance of the metal, and plastic_f0 per lane. */
     struct zr_vec3_v metal_f0;
     zr_vf finished_f0;
+    bool is_anisotropic;
+    struct zr_vec3_v along, bitangent;
+    zr_vf alpha_along, bend;
 };
 
 static inline float zr_largest_of(zr_vec3 v)
 {
     const float most = v.x > v.y ? v.x : v.y;
     return most > v.z ? most : v.z;
+}
+
+/* Sets the bitangent and the roughness along the direction of anisotropy. Without a direction, the bitangent is 0. */
+static inline void zr_pbr_put_anisotropy(const struct zr_shading_v *s, struct zr_pbr_v *pbr)
+{
+    const struct zr_vec3_v along = s->textured->along;
+    const zr_vm any = zr_vf_lt(zr_vf_set(0.5f), zr_dot_v(along, along));
+    const zr_vf strength = zr_vf_select(any, s->textured->anisotropy, zr_vf_set(0.0f));
+    const zr_vf one = zr_vf_set(1.0f), kept = one - strength * (one - s->textured->roughness), square = kept * kept;
+    pbr->is_anisotropic = true;
+    pbr->bend = one - square * square;
+    pbr->along = along;
+    pbr->bitangent = zr_normalize_v(zr_cross_v(s->normal, along));
+    pbr->alpha_along = zr_mix_v(pbr->alphas, one, strength * strength);
 }
 
 /* Puts the material's film on the surface, and takes the light that passes through from the diffuse part. */
@@ -110,13 +130,16 @@ static inline void zr_pbr_finish(const struct zr_material *material, const struc
     struct zr_vec3_v plastic = zr_spread_v(material->reflectance);
     pbr->metal_f0 = s->base;
     if (finish->film > 0.0f) {
-        const struct zr_film_v film = zr_film_make(finish, pbr->facing);
+        const struct zr_film_v film =
+            zr_film_make(finish->film_ior, s->textured->film, s->textured->film_nm, pbr->facing);
         plastic = zr_filmed3_v(&film, plastic);
         pbr->metal_f0 = zr_filmed3_v(&film, s->base);
         pbr->f0 = zr_mix3_v(plastic, pbr->metal_f0, pbr->metallic);
     }
+    if (finish->anisotropy > 0.0f) zr_pbr_put_anisotropy(s, pbr);
     pbr->finished_f0 = zr_vf_max(plastic.x, zr_vf_max(plastic.y, plastic.z));
-    if (zr_material_is_glass(material)) pbr->diffuse = zr_scale_v(pbr->diffuse, zr_vf_set(1.0f - finish->transmission));
+    if (zr_material_is_glass(material))
+        pbr->diffuse = zr_scale_v(pbr->diffuse, zr_vf_set(1.0f) - s->textured->transmission);
 }
 
 /* Returns plastic_f0 per lane. */
@@ -175,6 +198,14 @@ static inline void zr_bounced_again_v(const struct zr_bounces_v bounces[4], zr_v
         out[i] = bounces[i].once * bounces[i].scattered * over[i];
 }
 
+/* Returns the normal that mirrors: bent towards the eye if the surface is anisotropic. */
+static inline struct zr_vec3_v zr_mirroring_normal_v(const struct zr_pbr_v *pbr, const struct zr_shading_v *s)
+{
+    if (!ZR_FINISHES || !pbr->is_anisotropic) return s->normal;
+    const struct zr_vec3_v b = pbr->bitangent, towards = zr_normalize_v(zr_cross_v(zr_cross_v(b, s->to_eye), b));
+    return zr_normalize_v(zr_mix3_v(s->normal, towards, pbr->bend));
+}
+
 /* Returns the reflected ambient light. base: F0 of the metal. `ambient`: E and L, both as they reach the surface. */
 static inline struct zr_vec3_v zr_pbr_ambient_v(const struct zr_pbr_v *pbr, struct zr_vec3_v base, zr_vf a, zr_vf b,
                                                 const struct zr_ambient_v *ambient)
@@ -211,8 +242,9 @@ static inline struct zr_vec3_v zr_seen_near_v(struct zr_vec3_v d, struct zr_vec3
 static inline struct zr_ambient_v zr_pbr_gather_v(const struct zr_linear_lighting *lighting, const struct zr_pbr_v *pbr,
                                                   const struct zr_shading_v *s)
 {
-    const zr_vf twice = zr_vf_set(2.0f) * zr_dot_v(s->normal, s->to_eye);
-    const struct zr_vec3_v mirrored = zr_minus_v(zr_scale_v(s->normal, twice), s->to_eye);
+    const struct zr_vec3_v normal = zr_mirroring_normal_v(pbr, s);
+    const zr_vf twice = zr_vf_set(2.0f) * zr_dot_v(normal, s->to_eye);
+    const struct zr_vec3_v mirrored = zr_minus_v(zr_scale_v(normal, twice), s->to_eye);
     struct zr_ambient_v out = {zr_spread_v(lighting->lights.ambient), zr_spread_v(lighting->lights.ambient)};
     if (lighting->has_environment) {
         const struct zr_environment_light *light = &lighting->environment;
@@ -279,6 +311,21 @@ static inline zr_vf zr_ggx_v(zr_vf square, zr_vf rest, zr_vf nh, zr_vf square_si
     return zr_vf_select(ZR_MUTANT(ggx_from_behind, zr_vf_lt(zero, nh), ZR_ALL_LANES), reflected, zero);
 }
 
+/* Returns pi D V of an anisotropic surface, or 0 if N.H <= 0. */
+static inline zr_vf zr_ggx_along_v(const struct zr_pbr_v *pbr, struct zr_vec3_v to_eye, struct zr_vec3_v to_light,
+                                   struct zr_vec3_v half, zr_vf nh, zr_vf nl)
+{
+    const zr_vf least = zr_vf_set(ZR_LAMP_ALPHA_LEAST), zero = zr_vf_set(0.0f);
+    const zr_vf along = zr_vf_max(pbr->alpha_along, least), across = zr_vf_max(pbr->alphas, least);
+    const zr_vf both = along * across, nv = pbr->facing;
+    const zr_vf x = across * zr_dot_v(pbr->along, half), y = along * zr_dot_v(pbr->bitangent, half), z = both * nh;
+    const zr_vf w = both / zr_vf_max(x * x + y * y + z * z, zr_vf_set(1e-12f));
+    const zr_vf vx = along * zr_dot_v(pbr->along, to_eye), vy = across * zr_dot_v(pbr->bitangent, to_eye);
+    const zr_vf lx = along * zr_dot_v(pbr->along, to_light), ly = across * zr_dot_v(pbr->bitangent, to_light);
+    const zr_vf smith = nl * zr_vf_sqrt(vx * vx + vy * vy + nv * nv) + nv * zr_vf_sqrt(lx * lx + ly * ly + nl * nl);
+    return zr_vf_select(zr_vf_lt(zero, nh), both * w * w * (zr_vf_set(0.5f) / smith), zero);
+}
+
 static inline zr_vf zr_schlick_v(zr_vf f0, zr_vf f90, zr_vf fresnel)
 {
     return f0 + (f90 - f0) * fresnel;
@@ -299,8 +346,11 @@ static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 
         square_alpha = alphas * alphas;
         rest = one - square_alpha;
     }
-    const zr_vf specular = zr_ggx_v(square_alpha, rest, nh, zr_square_sine_v(s->normal, half), pbr->facing,
-                                    zr_vf_max(nl, zr_vf_set(1e-6f)));
+    const zr_vf lit = zr_vf_max(nl, zr_vf_set(1e-6f));
+    zr_vf specular = zr_ggx_v(square_alpha, rest, nh, zr_square_sine_v(s->normal, half), pbr->facing, lit);
+    if (ZR_FINISHES && pbr->is_anisotropic)
+        specular = zr_vf_select(zr_vf_lt(zr_vf_set(0.5f), zr_dot_v(pbr->along, pbr->along)),
+                                zr_ggx_along_v(pbr, s->to_eye, to_light, half, nh, lit), specular);
     const zr_vf away = one - vh, square = away * away;
     const zr_vf fresnel = ZR_MUTANT(fresnel_of_4th_power, square * square * away, square * square);
     const zr_vf entering = one - zr_schlick_v(zr_plastic_f0_v(pbr), zr_vf_set(pbr->plastic_f90), fresnel);

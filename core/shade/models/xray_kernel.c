@@ -31,26 +31,44 @@ static inline zr_vf opacity_of(struct zr_vec3_v normal, zr_vf cosine)
 
 /* ---- glass ---- */
 
-/* Returns the opacity of those of the lanes `faces` that are glass, 1 elsewhere. */
-static inline zr_vf glass_opacity(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples,
-                                  size_t at, zr_vm faces, struct zr_vec3_v to_eye)
+/* Returns the lanes `faces` whose alpha is ignored. */
+static inline zr_vm find_solid(const struct zr_material *materials, const uint32_t *numbers, zr_vm faces)
 {
-    float values[3][ZR_LANES] = {{0.0f}};
     uint32_t bits = 0;
     for (uint32_t left = zr_vm_bits(faces); left; left &= left - 1) {
         const int lane = zr_lowest_bit(left);
-        const struct zr_material *material = &lighting->materials[samples->material[at + (size_t)lane]];
+        bits |= (uint32_t)materials[numbers[lane]].is_solid << lane;
+    }
+    return zr_vm_of(bits);
+}
+
+/* Returns the opacity of those of the lanes `faces` that are glass without a backdrop, 1 elsewhere. */
+static inline zr_vf glass_opacity(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples,
+                                  size_t at, zr_vm faces, struct zr_vec3_v to_eye)
+{
+    float values[7][ZR_LANES] = {{0.0f}};
+    uint32_t bits = 0;
+    for (uint32_t left = zr_vm_bits(faces); left; left &= left - 1) {
+        const int lane = zr_lowest_bit(left);
+        const uint32_t number = samples->material[at + (size_t)lane];
+        const struct zr_material *material = &lighting->materials[number];
         const zr_vec3 f0 = material->reflectance;
         const float most = f0.x > f0.y ? f0.x : f0.y;
-        if (!zr_material_is_glass(material)) continue;
+        if (!zr_material_is_glass(material) || zr_has_backdrop(lighting, material)) continue;
         bits |= 1u << lane;
         values[0][lane] = material->finish.transmission * (1.0f - material->metallic);
         values[1][lane] = most > f0.z ? most : f0.z;
         values[2][lane] = material->grazing;
+        values[3][lane] = material->finish.attenuation.x;
+        values[4][lane] = material->finish.attenuation.y;
+        values[5][lane] = material->finish.attenuation.z;
+        values[6][lane] = zr_power_of(lighting, number);
     }
     if (!bits) return zr_vf_set(1.0f);
     const struct zr_glass_v glass = {zr_vf_load(values[0]), zr_vf_load(values[1]), zr_vf_load(values[2])};
-    const struct zr_vec3_v base = zr_srgb_decode_color_v(zr_three_of(samples->base, at));
+    const struct zr_vec3_v attenuation = {zr_vf_load(values[3]), zr_vf_load(values[4]), zr_vf_load(values[5])};
+    const struct zr_vec3_v base = zr_mul_v(zr_srgb_decode_color_v(zr_three_of(samples->base, at)),
+                                           zr_attenuated_v(attenuation, zr_vf_load(values[6])));
     const zr_vf passing = zr_glass_passing_v(&glass, zr_three_of(samples->normal, at), to_eye);
     const zr_vf opacity = zr_vf_set(1.0f) - passing * zr_least_of_v(base);
     return zr_vf_select(zr_vm_of(bits), zr_vf_max(opacity, zr_vf_set(ZR_GLASS_OPACITY_LEAST)), zr_vf_set(1.0f));
@@ -72,7 +90,9 @@ void ZR_KERNEL(zr_xray)(const struct zr_linear_lighting *lighting, const struct 
             const struct zr_vec3_v to_eye = zr_to_eye_v(lighting, zr_three_of(samples->point, at));
             const zr_vm faces = zr_vm_andnot(seen, is_line);
             const zr_vf glass = glass_opacity(lighting, samples, at, faces, to_eye);
-            const zr_vf own = zr_vf_load(opacity + at) * glass, cosine = zr_dot_v(normal, to_eye);
+            const zr_vm solid = find_solid(lighting->materials, samples->material + at, faces);
+            const zr_vf given = zr_vf_select(solid, zr_vf_set(1.0f), zr_vf_load(opacity + at));
+            const zr_vf own = given * glass, cosine = zr_dot_v(normal, to_eye);
             zr_vf_store(opacity + at, zr_vf_select(xrays, own * opacity_of(normal, cosine), own));
         }
     }

@@ -288,7 +288,7 @@ static bool append_fan_by_parity(struct batches_builder *b, const struct batches
 static bool shows_textures(const struct batches_builder *b, const struct batches_source *s)
 {
     if (!s->mesh->texcoords) return false;
-    if (b->options.purpose == BATCHES_LIGHT) return zr_material_has_textures(s->material);
+    if (b->options.purpose == BATCHES_LIGHT) return zr_material_is_mapped(s->material);
     return b->options.purpose == BATCHES_COLORS && s->material->textures[ZR_TEXTURE_BASE_COLOR] > 0 &&
            s->material->shading != ZR_SHADING_NORMALS;
 }

@@ -79,9 +79,13 @@ static void place_of(const struct zr_texture *texture, zr_vec4 texcoord, double 
 static void put_tangents(const struct zr_scene *scene, const struct reference_arrays *arrays,
                          const struct reference_batch *batch, uint32_t first, struct look_corners *out)
 {
-    const uint32_t number = batch->textured->textures[ZR_TEXTURE_NORMAL];
+    const struct zr_material *material = batch->textured;
+    const uint32_t coat = material->textures[ZR_TEXTURE_COAT_NORMAL],
+                   own = material->textures[ZR_TEXTURE_NORMAL] ? material->textures[ZR_TEXTURE_NORMAL] : coat,
+                   number = own ? own : material->textures[ZR_TEXTURE_ANISOTROPY];
     const double turn = zr_mat4_is_mirror(batch->modelview) ? -1.0 : 1.0;
-    if (number == 0) return;
+    static const struct zr_texture plain = {.rows = {{1, 0, 0}, {0, 1, 0}}};
+    if (number == 0 && material->finish.anisotropy == 0.0f) return;
     if (arrays->tangents[first].w != 0.0f) {
         for (uint32_t i = first; i < first + 3; i++) {
             out->tangents[i] = arrays->tangents[i];
@@ -92,7 +96,7 @@ static void put_tangents(const struct zr_scene *scene, const struct reference_ar
     const zr_vec4 *p = &arrays->positions[first];
     double at[3][2];
     for (uint32_t i = 0; i < 3; i++)
-        place_of(&scene->textures[number - 1], arrays->texcoords[first + i], at[i]);
+        place_of(number ? &scene->textures[number - 1] : &plain, arrays->texcoords[first + i], at[i]);
     const vec3 e1 = {(double)p[1].x - (double)p[0].x, (double)p[1].y - (double)p[0].y, (double)p[1].z - (double)p[0].z},
                e2 = {(double)p[2].x - (double)p[0].x, (double)p[2].y - (double)p[0].y, (double)p[2].z - (double)p[0].z};
     const double u1 = at[1][0] - at[0][0], v1 = at[1][1] - at[0][1], u2 = at[2][0] - at[0][0], v2 = at[2][1] - at[0][1];

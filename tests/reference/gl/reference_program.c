@@ -47,6 +47,8 @@ static void set_material(GLuint program, const struct zr_material *material)
     glUniform2fv(glGetUniformLocation(program, "coat"), 1, &material->finish.coat);
     glUniform4fv(glGetUniformLocation(program, "sheen"), 1, &material->finish.sheen.x);
     glUniform3fv(glGetUniformLocation(program, "film"), 1, &material->finish.film);
+    glUniform1f(glGetUniformLocation(program, "film_thinnest"), material->finish.film_thinnest);
+    glUniform3fv(glGetUniformLocation(program, "brush"), 1, &material->finish.anisotropy);
     glUniform3fv(glGetUniformLocation(program, "specular"), 1, &material->specular.x);
     glUniform3fv(glGetUniformLocation(program, "emissive"), 1, &material->emissive.x);
     glUniform3fv(glGetUniformLocation(program, "cool"), 1, &material->cool.x);
@@ -55,8 +57,10 @@ static void set_material(GLuint program, const struct zr_material *material)
 /* Of textures that the material has; units have the numbers of slots. */
 static void set_textures(GLuint program, const struct zr_material *material, const struct zr_scene *scene)
 {
-    static const char *const names[] = {"base_map",     "roughness_map", "normal_map",        "occlusion_map",
-                                        "emissive_map", "coat_map",      "coat_roughness_map"};
+    static const char *const names[] = {"base_map",      "roughness_map", "normal_map",         "occlusion_map",
+                                        "emissive_map",  "coat_map",      "coat_roughness_map", "coat_normal_map",
+                                        "sheen_map",     "film_map",      "film_thickness_map", "transmission_map",
+                                        "thickness_map", "brush_map"};
     float has[ZR_TEXTURE_SLOTS] = {0}, second[ZR_TEXTURE_SLOTS] = {0}, rows[2 * ZR_TEXTURE_SLOTS][3] = {{0}};
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++) {
         glUniform1i(glGetUniformLocation(program, names[slot]), slot);
@@ -73,6 +77,7 @@ static void set_textures(GLuint program, const struct zr_material *material, con
     glUniform3fv(glGetUniformLocation(program, "rows"), 2 * ZR_TEXTURE_SLOTS, rows[0]);
     if (!material) return;
     glUniform1f(glGetUniformLocation(program, "normal_scale"), material->normal_scale);
+    glUniform1f(glGetUniformLocation(program, "coat_normal_scale"), material->coat_normal_scale);
     glUniform1f(glGetUniformLocation(program, "occlusion_strength"), material->occlusion_strength);
 }
 

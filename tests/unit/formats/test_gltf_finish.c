@@ -11,11 +11,14 @@ static struct zr_asset parts[] = {{.name = "b", .bytes = corners, .size = sizeof
     "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"meshes\":"              \
     "[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"nodes\":[{\"mesh\":0}],\"textures\":"     \
     "[{}],\"materials\":[{\"extensions\":{\"" extension "\":{" keys "}}}]}"
-#define AT(key) "/materials/0/extensions/" key
-#define COAT    "KHR_materials_clearcoat"
-#define SHEEN   "KHR_materials_sheen"
-#define FILM    "KHR_materials_iridescence"
-#define GLASS   "KHR_materials_transmission"
+#define AT(key)    "/materials/0/extensions/" key
+#define COAT       "KHR_materials_clearcoat"
+#define SHEEN      "KHR_materials_sheen"
+#define FILM       "KHR_materials_iridescence"
+#define GLASS      "KHR_materials_transmission"
+#define VOLUME     "KHR_materials_volume"
+#define DISPERSION "KHR_materials_dispersion"
+#define BRUSH      "KHR_materials_anisotropy"
 
 static struct reading *read_file(const char *text)
 {
@@ -36,7 +39,7 @@ static const struct {
      AT(COAT "/clearcoatFactor: beyond its range, and clamped"),
      {.coat_roughness = 0.25f}},
     {FILE_OF(COAT, "\"clearcoatFactor\":1,\"clearcoatNormalTexture\":{\"index\":0}"),
-     AT(COAT "/clearcoatNormalTexture: this texture is not drawn"),
+     "/textures/0: without a source, and not drawn",
      {.coat = 1}},
     {FILE_OF(COAT, "\"clearcoatFactor\":1,\"clearcoatTexture\":{\"index\":0}"),
      "/textures/0: without a source, and not drawn",
@@ -55,10 +58,33 @@ static const struct {
      AT(FILM "/iridescenceIor: beyond its range, and clamped"),
      {.film = 0.5f, .film_ior = 1, .film_nm = 800}},
     {FILE_OF(FILM, "\"iridescenceFactor\":1,\"iridescenceThicknessMaximum\":0"), NULL, {.film = 0}},
+    {FILE_OF(BRUSH, "\"anisotropyStrength\":0.5"), NULL, {.anisotropy = 0.5f, .along = {1, 0}}},
+    {FILE_OF(BRUSH, "\"anisotropyStrength\":2"),
+     AT(BRUSH "/anisotropyStrength: beyond its range, and clamped"),
+     {.anisotropy = 1, .along = {1, 0}}},
+    {FILE_OF(BRUSH, "\"anisotropyRotation\":1"), NULL, {.anisotropy = 0}},
     {FILE_OF(GLASS, "\"transmissionFactor\":0.75"),
-     AT(GLASS ": drawn as thin glass: light is neither bent nor blurred"),
-     {.transmission = 0.75f}},
+     NULL,
+     {.transmission = 0.75f, .ior = 1.5f, .attenuation = {1, 1, 1}}},
     {FILE_OF(GLASS, "\"transmissionFactor\":0,\"transmissionTexture\":{\"index\":0}"), NULL, {.transmission = 0}},
+    {FILE_OF(VOLUME, "\"thicknessFactor\":1,\"attenuationDistance\":2"), NULL, {.transmission = 0}},
+    {FILE_OF(GLASS, "\"transmissionFactor\":1},\"KHR_materials_ior\":{\"ior\":2},\"" VOLUME
+                    "\":{\"thicknessFactor\":0.5,\"attenuationDistance\":2,\"attenuationColor\":[1,0.5,0]"),
+     NULL,
+     {.transmission = 1, .ior = 2, .thickness = 0.5f, .attenuation = {1, 0.5f, 0}, .distance = 2}},
+    {FILE_OF(GLASS, "\"transmissionFactor\":1},\"" VOLUME "\":{\"thicknessFactor\":-1,\"attenuationDistance\":0"),
+     AT(VOLUME "/thicknessFactor: beyond its range, and clamped"),
+     {.transmission = 1, .ior = 1.5f, .attenuation = {1, 1, 1}}},
+    {FILE_OF(GLASS,
+             "\"transmissionFactor\":1},\"" VOLUME "\":{\"thicknessFactor\":1e300,\"attenuationDistance\":1e300"),
+     AT(VOLUME "/thicknessFactor: beyond its range, and clamped"),
+     {.transmission = 1, .ior = 1.5f, .thickness = 1e15f, .attenuation = {1, 1, 1}}},
+    {FILE_OF(GLASS, "\"transmissionFactor\":1},\"" DISPERSION "\":{\"dispersion\":-0.1"),
+     AT(DISPERSION "/dispersion: beyond its range, and clamped"),
+     {.transmission = 1, .ior = 1.5f, .attenuation = {1, 1, 1}}},
+    {FILE_OF(GLASS, "\"transmissionFactor\":1},\"" DISPERSION "\":{\"dispersion\":0.5"),
+     NULL,
+     {.transmission = 1, .ior = 1.5f, .attenuation = {1, 1, 1}, .dispersion = 0.5f}},
 };
 
 TEST(finishes_are_read)
@@ -96,6 +122,7 @@ static const struct {
     {FILE_OF(SHEEN, "\"sheenColorFactor\":[1,1]"), AT(SHEEN "/sheenColorFactor"), "numbers"},
     {FILE_OF(FILM, "\"iridescenceIor\":\"x\""), AT(FILM "/iridescenceIor"), "number"},
     {FILE_OF(GLASS, "\"transmissionFactor\":[]"), AT(GLASS "/transmissionFactor"), "number"},
+    {FILE_OF(VOLUME, "\"attenuationColor\":1"), AT(VOLUME "/attenuationColor"), "numbers"},
 };
 
 TEST(faults_in_finishes_are_refused)

@@ -388,6 +388,27 @@ TEST(predicted_memory_is_held)
     }
 }
 
+TEST(glass_that_refracts_is_predicted_with_its_backdrop)
+{
+    struct zr_arena arena;
+    for (int i = 0; i < 2; i++) {
+        half_a_window();
+        test.picture.is_linear = true;
+        test.scene.background = (zr_vec4){1, 1, 1, 1};
+        test.material.shading = ZR_SHADING_PBR;
+        test.material.roughness = i == 0 ? 0.0f : 0.5f;
+        test.material.finish = (struct zr_finish){.transmission = 1, .ior = 1.5f, .attenuation = {1, 1, 1}};
+        test.scene.views[0].width = test.scene.views[0].height = 512;
+        assert_near(count(ZR_COST_LAYER), (1 + i) * 512 * 512 / 2);
+        const double predicted = scene_cost(&test.scene).window_bytes;
+        zr_arena_init(&arena, (size_t)1 << 30);
+        scene_render(&arena, NULL, &test.scene);
+        if (!(predicted <= (double)arena.peak && predicted >= 0.5 * (double)arena.peak))
+            fail_msg("%.0f bytes, %zu held", predicted, arena.peak);
+        zr_arena_free(&arena);
+    }
+}
+
 /* Arrays of large windows have blocks of their own, whose free ends are held as well: a few huge pages. */
 TEST(memory_of_large_windows_with_lines_of_the_mesh_is_nearly_all_predicted)
 {

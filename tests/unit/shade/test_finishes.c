@@ -209,7 +209,7 @@ static float opacity[ROOM];
 TEST_EACH_ISA(glass_loses_and_adds_no_light)
 {
     const enum zr_isa isa = isa_under_test(state);
-    const struct zr_material glass = {.finish = {.transmission = 1}, ZR_MATERIAL_PLASTIC};
+    const struct zr_material glass = {.finish = {.transmission = 1, .attenuation = {1, 1, 1}}, ZR_MATERIAL_PLASTIC};
     const struct zr_linear_lighting lighting = from_the_front(0.5f);
     make_samples((zr_vec3){1, 1, 1}, &glass);
     for (int i = 0; i < MATERIALS; i++)
@@ -224,6 +224,235 @@ TEST_EACH_ISA(glass_loses_and_adds_no_light)
         if (!(fabsf(opacity[at] - want) <= 1e-5f)) fail_msg("opacity %d: %f", at, (double)opacity[at]);
         const float all = samples.out[0][at] * opacity[at] + 0.5f * (1.0f - opacity[at]);
         if (!(fabsf(all - 0.5f) <= 0.005f)) fail_msg("light %d: %f", at, (double)all);
+    }
+}
+
+/* ---- anisotropy ---- */
+
+/* Texture values of all samples: 1, and directions along x or across it. */
+static float ones[ROOM], directions[3][ROOM];
+static const struct zr_gbuffer_textures brushed = {
+    .base = {ones, ones, ones},
+    .roughness = ones,
+    .metallic = ones,
+    .occlusion = ones,
+    .emissive = {ones, ones, ones},
+    .normal = {samples.planes[3], samples.planes[4], samples.planes[5]},
+    .coat = ones,
+    .coat_roughness = ones,
+    .coat_normal = {samples.planes[3], samples.planes[4], samples.planes[5]},
+    .sheen = {ones, ones, ones},
+    .film = ones,
+    .film_thickness = ones,
+    .transmission = ones,
+    .thickness = ones,
+    .along = {directions[0], directions[1], directions[2]},
+    .anisotropy = ones};
+
+/* Normals of views lean to the right: material i has the strength of i / STEPS and a direction in the plane of lean, or
+ * for odd i % STEPS one across it. */
+static void make_brushed(const struct zr_material *like)
+{
+    make_samples((zr_vec3){1, 1, 1}, like);
+    samples.g.textures = &brushed;
+    for (int at = 0; at < MATERIALS * VIEWS; at++) {
+        const int i = at / VIEWS;
+        const bool across = i % STEPS % 2;
+        materials[i].finish.anisotropy = (float)(1 + i / STEPS) / STEPS;
+        materials[i].roughness = 0.2f + 0.15f * (float)(i % STEPS);
+        directions[0][at] = across ? 0.0f : view_cosine(at % VIEWS);
+        directions[1][at] = across ? 1.0f : 0.0f;
+        directions[2][at] = across ? 0.0f : -samples.planes[3][at];
+        ones[at] = 1.0f;
+    }
+}
+
+TEST_EACH_ISA(brushed_surfaces_lose_and_add_no_light)
+{
+    const struct zr_linear_lighting lighting = from_the_front(0.5f);
+    make_brushed(&white);
+    samples_light(&samples, isa_under_test(state), &lighting);
+    check_all("brushed white", 1e-5f, half);
+}
+
+/* The formulas of KHR_materials_anisotropy, for the light of a lamp at the eye on a metal. */
+static float brushed_lobe(int material, int view)
+{
+    const double pi = acos(-1.0), nv = (double)view_cosine(view), nx = sqrt(1.0 - nv * nv);
+    const double strength = (1.0 + material / STEPS) / STEPS, roughness = 0.2 + 0.15 * (material % STEPS);
+    const double across = fmax(roughness * roughness, 0.06),
+                 along = fmax(roughness * roughness * (1.0 - strength * strength) + strength * strength, 0.06);
+    const bool is_across = material % STEPS % 2;
+    const double t = is_across ? 0.0 : -nx, b = is_across ? nx : 0.0; /* of the lamp, as of the eye and of the half */
+    const double sum = t * t / (along * along) + b * b / (across * across) + nv * nv;
+    const double d = 1.0 / (pi * along * across * sum * sum);
+    const double v = 0.5 / (2.0 * nv * sqrt(along * along * t * t + across * across * b * b + nv * nv));
+    return (float)(pi * d * v * nv * 0.02);
+}
+
+TEST_EACH_ISA(brushed_surfaces_have_long_highlights)
+{
+    const struct zr_material metal = {.metallic = 1};
+    const struct zr_lamp at_eye = {.to_light = {0, 0, 1}, .color = {0.02f, 0.02f, 0.02f}, .lights_pbr = true};
+    struct zr_linear_lighting lighting = from_the_front(0);
+    lighting.lights.count = 1;
+    lighting.lights.lamps = &at_eye;
+    make_brushed(&metal);
+    samples_light(&samples, isa_under_test(state), &lighting);
+    check_all("brushed metal", 2e-5f, brushed_lobe);
+}
+
+/* ---- glass with a backdrop ---- */
+
+/* Texels of four levels of 8 x 8, and a window in which points are pixels: x and y times 8, from the middle. */
+enum { SIDE = 8, TEXELS = SIDE * SIDE + 16 + 4 + 1 };
+static float texels[TEXELS][4], thicknesses[MATERIALS], powers[MATERIALS];
+static struct zr_backdrop backdrop = {.texels = texels[0],
+                                      .level_count = 4,
+                                      .first = {0, 64, 80, 84},
+                                      .width = {8, 4, 2, 1},
+                                      .height = {8, 4, 2, 1},
+                                      .roughest = 3,
+                                      .to_window = {{8, 0, 0, 4}, {0, 8, 0, 4}, {0, 0, 0, 1}},
+                                      .thickness = thicknesses,
+                                      .power = powers};
+
+static void fill_backdrop(float r, float g, float b)
+{
+    for (int i = 0; i < TEXELS; i++) {
+        texels[i][0] = r;
+        texels[i][1] = g;
+        texels[i][2] = b;
+    }
+}
+
+static const struct zr_material clear = {
+    .finish = {.transmission = 1, .ior = 1.5f, .thickness = 1, .attenuation = {1, 1, 1}}, ZR_MATERIAL_PLASTIC};
+
+/* Whatever the roughness, and whatever passes, light of 0.5 from all around stays. */
+TEST_EACH_ISA(glass_over_a_backdrop_loses_and_adds_no_light)
+{
+    struct zr_linear_lighting lighting = from_the_front(0.5f);
+    lighting.backdrop = &backdrop;
+    fill_backdrop(0.5f, 0.5f, 0.5f);
+    make_samples((zr_vec3){1, 1, 1}, &clear);
+    for (int i = 0; i < MATERIALS; i++) {
+        materials[i].roughness = (float)(i % STEPS) / (STEPS - 1);
+        materials[i].finish.transmission = (float)(1 + i / STEPS) / STEPS;
+        thicknesses[i] = 0.1f * (float)i;
+        powers[i] = 0;
+    }
+    samples_light(&samples, isa_under_test(state), &lighting);
+    check_all("clear glass", 1e-5f, half);
+}
+
+/* Power by material, of the attenuation .5. */
+static float power_of(int material)
+{
+    return material == 0 ? 0.0f : ldexpf(1.0f, material - 8);
+}
+
+TEST_EACH_ISA(volumes_attenuate_light_by_their_depth)
+{
+    struct zr_linear_lighting lighting = from_the_front(0);
+    lighting.backdrop = &backdrop;
+    fill_backdrop(1, 1, 1);
+    make_samples((zr_vec3){1, 1, 1}, &clear);
+    for (int i = 0; i < MATERIALS; i++) {
+        materials[i].reflectance = (zr_vec3){0, 0, 0};
+        materials[i].grazing = 0;
+        materials[i].finish.attenuation = (zr_vec3){0.5f, 1, 0};
+        powers[i] = fminf(power_of(i), ZR_BACKDROP_POWER_MAX);
+    }
+    samples_light(&samples, isa_under_test(state), &lighting);
+    for (int at = 0; at < MATERIALS * VIEWS; at++) {
+        const float want[3] = {powf(0.5f, powers[at / VIEWS]), 1, at / VIEWS == 0 ? 1.0f : 0.0f};
+        for (int k = 0; k < 3; k++)
+            if (!(fabsf(samples.out[k][at] - want[k]) <= 1e-4f))
+                fail_msg("sample %d, channel %d: %f", at, k, (double)samples.out[k][at]);
+    }
+}
+
+/* Returns where a ray of the view ends, in texels of level 0: the normal leans to the right. */
+static double refracted_column(double ior, double thickness, int view)
+{
+    const double nz = (double)view_cosine(view), nx = sqrt(1.0 - nz * nz), eta = 1.0 / ior;
+    const double along = nx * (eta * nz - sqrt(1.0 - eta * eta * (1.0 - nz * nz)));
+    return fmin(fmax(8.0 * along * thickness + 4.0, 0.5), 7.5);
+}
+
+/* Columns have rising light; red and blue are bent by other indices. */
+TEST_EACH_ISA(light_through_glass_is_refracted_and_dispersed)
+{
+    struct zr_linear_lighting lighting = from_the_front(0);
+    lighting.backdrop = &backdrop;
+    for (int i = 0; i < SIDE * SIDE; i++)
+        texels[i][0] = texels[i][1] = texels[i][2] = 0.1f * (float)(i % SIDE);
+    make_samples((zr_vec3){1, 1, 1}, &clear);
+    for (int i = 0; i < MATERIALS; i++) {
+        materials[i].reflectance = (zr_vec3){0, 0, 0};
+        materials[i].grazing = 0;
+        materials[i].finish.ior = 1.0f + 0.2f * (float)(i % STEPS);
+        materials[i].finish.dispersion = i < MATERIALS / 2 ? 0.0f : 10.0f;
+        thicknesses[i] = 0.25f * (float)(i / STEPS);
+        powers[i] = 0;
+    }
+    samples_light(&samples, isa_under_test(state), &lighting);
+    for (int at = 0; at < MATERIALS * VIEWS; at++) {
+        const struct zr_finish *finish = &materials[at / VIEWS].finish;
+        const double apart = 0.025 * (double)finish->dispersion * ((double)finish->ior - 1.0);
+        for (int k = 0; k < 3; k++) {
+            const double ior = (double)finish->ior + (k - 1) * apart,
+                         column = refracted_column(ior, (double)thicknesses[at / VIEWS], at % VIEWS);
+            if (!(fabs((double)samples.out[k][at] - 0.1 * (column - 0.5)) <= 1e-4))
+                fail_msg("sample %d, channel %d: %f in column %f", at, k, (double)samples.out[k][at], column);
+        }
+    }
+}
+
+/* A level has the light of its number. */
+TEST_EACH_ISA(rough_glass_shows_coarse_levels)
+{
+    struct zr_linear_lighting lighting = from_the_front(0);
+    lighting.backdrop = &backdrop;
+    for (int level = 0; level < backdrop.level_count; level++)
+        for (int i = backdrop.first[level]; i < (level == 3 ? TEXELS : backdrop.first[level + 1]); i++)
+            texels[i][0] = texels[i][1] = texels[i][2] = 0.25f * (float)level;
+    make_samples((zr_vec3){1, 1, 1}, &clear);
+    for (int i = 0; i < MATERIALS; i++) {
+        materials[i].reflectance = (zr_vec3){0, 0, 0};
+        materials[i].grazing = 0;
+        materials[i].roughness = (float)(i % STEPS) / (STEPS - 1);
+        materials[i].finish.ior = 1.0f + 0.25f * (float)(i / STEPS);
+    }
+    samples_light(&samples, isa_under_test(state), &lighting);
+    for (int at = 0; at < MATERIALS * VIEWS; at++) {
+        const struct zr_material *material = &materials[at / VIEWS];
+        const float want = 0.75f * material->roughness * fminf(2.0f * material->finish.ior - 2.0f, 1.0f);
+        if (!(fabsf(samples.out[1][at] - want) <= 1e-5f)) fail_msg("sample %d: %f", at, (double)samples.out[1][at]);
+    }
+}
+
+/* Without texels, straight rays keep their colour at the opacity of its least channel. */
+TEST_EACH_ISA(volumes_without_a_backdrop_attenuate_straight_rays)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    struct zr_linear_lighting lighting = from_the_front(0);
+    struct zr_backdrop none = backdrop;
+    none.texels = NULL;
+    lighting.backdrop = &none;
+    make_samples((zr_vec3){1, 1, 1}, &clear);
+    for (int i = 0; i < MATERIALS; i++) {
+        materials[i].finish.attenuation = (zr_vec3){0.5f, 1, 1};
+        powers[i] = 0.25f * (float)i;
+    }
+    for (int i = 0; i < ROOM; i++)
+        opacity[i] = 1.0f;
+    zr_xray_of(isa)(&lighting, &samples.g, opacity);
+    for (int at = 0; at < MATERIALS * VIEWS; at++) {
+        const float fresnel = 0.04f + 0.96f * powf(1.0f - view_cosine(at % VIEWS), 5.0f);
+        const float want = 1.0f - (1.0f - fresnel) * powf(0.5f, powers[at / VIEWS]);
+        if (!(fabsf(opacity[at] - want) <= 1e-4f)) fail_msg("opacity %d: %f", at, (double)opacity[at]);
     }
 }
 
