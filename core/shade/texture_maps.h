@@ -25,7 +25,7 @@ struct zr_texture_level {
 struct zr_texture_map {
     const struct zr_texture *texture;
     uint32_t bits;
-    uint32_t place; /* maps of one number sample the same texels of images of one size, at the same levels */
+    uint32_t place;       /* maps of one number sample the same texels of images of one size, at the same levels */
     const float *decoded; /* linear value of each code of `bits` bits; NULL: code / largest code */
     uint32_t level_count;
     struct zr_texture_level levels[ZR_TEXTURE_LEVELS_MAX];
