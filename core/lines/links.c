@@ -3,7 +3,7 @@
 enum { ENDS_PER_CANCEL_CHECK = 1 << 12 };
 
 /* Ends are nodes within 1/32 pixel; the grid has cells of twice that. */
-static const double reach = 1.0 / 32.0, cell_pixels = 1.0 / 16.0;
+static const double reach = ZR_NODE_PIXELS, cell_pixels = 2.0 * ZR_NODE_PIXELS;
 
 /* Cosine of 80 degrees. */
 static const double turn_cosine = 0.17364817766693041;

@@ -20,6 +20,8 @@ struct zr_segment {
 
 #define ZR_NO_END UINT32_MAX
 
+#define ZR_NODE_PIXELS (1.0 / 32.0)
+
 enum { ZR_NODE_ENDS_MOST = 32 /* ends at a node; if there are more, none are linked */ };
 
 struct zr_links {

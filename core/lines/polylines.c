@@ -11,7 +11,7 @@ struct joining {
     const struct zr_line_pieces *pieces;
     uint32_t count, *numbers; /* of the pieces that are drawn */
     struct zr_segment *segments;
-    struct zr_links links;
+    struct zr_links links, near; /* `near`: of ends within a pixel */
     bool *is_seen, *is_speck; /* by segment */
     struct zr_polylines *out;
 };
@@ -60,12 +60,27 @@ static uint32_t root_of(uint32_t *parents, uint32_t node)
 static uint32_t node_of(const struct joining *j, uint32_t end)
 {
     const bool is_hidden = j->segments[end / 2].class == ZR_STROKE_HIDDEN;
-    return j->links.nodes[end] + (is_hidden ? j->links.node_count : 0);
+    return j->near.nodes[end] + (is_hidden ? j->near.node_count : 0);
+}
+
+/* Joins the ends within a pixel, by links of a drawing of that share of the size. */
+static enum zr_status join_near(struct joining *j)
+{
+    struct zr_segment *small = zr_arena_alloc(j->arena, j->count, sizeof *small);
+    if (!small) return ZR_NO_MEMORY;
+    for (uint32_t s = 0; s < j->count; s++) {
+        small[s] = j->segments[s];
+        for (int k = 0; k < 2; k++) {
+            small[s].ends[k].x *= ZR_NODE_PIXELS;
+            small[s].ends[k].y *= ZR_NODE_PIXELS;
+        }
+    }
+    return zr_links_make(j->arena, j->cancel, small, j->count, &j->near);
 }
 
 static bool find_specks(struct joining *j)
 {
-    const uint32_t nodes = 2 * j->links.node_count;
+    const uint32_t nodes = 2 * j->near.node_count;
     uint32_t *parents = zr_arena_alloc(j->arena, nodes, sizeof *parents);
     struct group *groups = zr_arena_zero(j->arena, nodes, sizeof *groups);
     if (!zr_arena_ok(j->arena)) return false;
@@ -156,7 +171,8 @@ enum zr_status zr_polylines_make(struct zr_arena *arena, const struct zr_cancel 
     struct joining j = {.arena = arena, .cancel = cancel, .pieces = pieces, .out = out};
     *out = (struct zr_polylines){0};
     if (!make_segments(&j)) return ZR_NO_MEMORY;
-    const enum zr_status status = zr_links_make(arena, cancel, j.segments, j.count, &j.links);
+    enum zr_status status = zr_links_make(arena, cancel, j.segments, j.count, &j.links);
+    if (status == ZR_OK) status = join_near(&j);
     if (status != ZR_OK) return status;
     out->at = zr_arena_alloc(arena, j.count, sizeof *out->at);
     out->points = zr_arena_alloc(arena, 2 * (size_t)j.count, sizeof *out->points);

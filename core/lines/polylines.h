@@ -1,9 +1,9 @@
 /* polylines.h - lines: pieces joined to polylines, for strokes and files.
  *
  * Space:  window, pixels, y up.
- * How:    pieces of one class are linked (links.h). Visible lines that touch no others in a node and are nowhere at
- *         the background are specks if they are shorter than 12 pixels in all; hidden lines, if shorter than 3. Specks
- *         go. Points within 0.02 pixel of the chord of their neighbours go.
+ * How:    pieces of one class are linked (links.h). Visible lines with no ends of others within a pixel of theirs, and
+ *         nowhere at the background, are specks if they are shorter than 12 pixels in all; hidden lines, if shorter
+ *         than 3. Specks go. Points within 0.02 pixel of the chord of their neighbours go.
  * Exact:  in the order of pieces. */
 #ifndef ZR_POLYLINES_H
 #define ZR_POLYLINES_H

@@ -113,4 +113,13 @@ TEST(free_specks_go)
     assert_int_equal(join(&arena, alone, 1).count, 1);
 }
 
+/* A line where one polygon of a circle changes to another: its pieces end within a pixel of one another. */
+TEST(pieces_that_nearly_meet_are_no_specks)
+{
+    struct zr_line_piece near[] = {piece(0, 0, 8, 0, ZR_LINE_CREASE), piece(8.9, 0.2, 17, 0, ZR_LINE_INTERSECTION)},
+                         far[] = {piece(0, 0, 8, 0, ZR_LINE_CREASE), piece(9.1, 0.2, 17, 0, ZR_LINE_INTERSECTION)};
+    assert_int_equal(join(&arena, near, 2).count, 2);
+    assert_int_equal(join(&arena, far, 2).count, 0);
+}
+
 RUN_TESTS(open_arena, close_arena)
