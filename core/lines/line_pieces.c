@@ -262,7 +262,8 @@ static bool is_patch_seam(const struct making *m, const struct middle *at)
         return false;
     face_of(m, left, &a);
     face_of(m, right, &b);
-    return a == b && zr_vec3_dot(given_normal_at(m, a, left, at), given_normal_at(m, a, right, at)) >= agreed_cosine;
+    if (a != b || !a->mesh->normals) return false;
+    return zr_vec3_dot(given_normal_at(m, a, left, at), given_normal_at(m, a, right, at)) >= agreed_cosine;
 }
 
 static bool is_seam(const struct making *m, const struct zr_line_piece *piece, const struct middle *at)
