@@ -12,7 +12,7 @@ struct joining {
     uint32_t count, *numbers; /* of the pieces that are drawn */
     struct zr_segment *segments;
     struct zr_links links, near; /* `near`: of ends within a pixel */
-    bool *is_seen, *is_speck; /* by segment */
+    bool *is_seen, *is_speck;    /* by segment */
     struct zr_polylines *out;
 };
 
