@@ -19,9 +19,9 @@ static const struct {
     {"clay@1", {UINT64_C(0xd9083280c3c24d58), UINT64_C(0xb3535f2bfc8d7c7e)}},
     {"dark@1", {UINT64_C(0x0a91f2b9f7dd9ec7), UINT64_C(0x5e356edf3ed232f0)}},
     {"metal@1", {UINT64_C(0xce76a9168b516bd6), UINT64_C(0x9ac330a05985dbb2)}},
-    {"outdoor@1", {UINT64_C(0x9eb8b4c1e8208ccf), UINT64_C(0x5aea90ecd0e4a969)}},
+    {"outdoor@1", {UINT64_C(0xb66ee18e002c9f09), UINT64_C(0x77140030fb7791a3)}},
     {"blueprint@1", {UINT64_C(0x0843244f81d7528e), UINT64_C(0xecd373ec849cc829)}},
-    {"xray@1", {UINT64_C(0x45d44b30a2f76fec), UINT64_C(0x29b4893571172889)}},
+    {"xray@1", {UINT64_C(0x5f8147d36296940e), UINT64_C(0x094193a523bbfc62)}},
     {"textbook@1", {UINT64_C(0xeec2ebd6a7c10fe5), UINT64_C(0xef093eb2f6c56f29)}},
 };
 enum { RELEASED = sizeof released / sizeof *released };

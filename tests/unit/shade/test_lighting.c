@@ -87,7 +87,11 @@ static void assert_same_outs(const struct lit_samples *a, const struct lit_sampl
 static struct zr_gbuffer part_of(const struct zr_gbuffer *g, size_t first, int32_t width, int32_t height,
                                  ptrdiff_t stride)
 {
-    struct zr_gbuffer part = {width, height, stride, g->owner + first, g->material + first, {0}, {0}, {0}, NULL};
+    struct zr_gbuffer part = {.width = width,
+                              .height = height,
+                              .stride = stride,
+                              .owner = g->owner + first,
+                              .material = g->material + first};
     for (int k = 0; k < 3; k++) {
         part.base[k] = g->base[k] + first;
         part.normal[k] = g->normal[k] + first;
