@@ -148,8 +148,8 @@ static bool join(const struct zr_layer_surface *part, struct zr_layer_surface *w
     return true;
 }
 
-/* Joins the surfaces of a primitive in a pixel: some algorithms draw all primitives row by row. Puts those of a pixel in
- * the order of primitives. Returns false if out of memory. */
+/* Joins the surfaces of a primitive in a pixel: some algorithms draw all primitives row by row. Puts those of a pixel
+ * in the order of primitives. Returns false if out of memory. */
 static bool join_parts(struct zr_layers_pool *pool, const struct zr_cancel *cancel, struct zr_layer_surfaces *s)
 {
     const uint32_t all = s->count;

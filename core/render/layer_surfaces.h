@@ -2,9 +2,9 @@
  *
  * A surface is what a primitive covers of a pixel: a mask of samples. It is lit at their middle, without occlusion.
  * X-rays and glass change their opacity quickly where they are seen edge-on: an opacity above 0.35 is the mean of those
- * at the samples. The surfaces of a pixel are ordered by the depths of their samples nearest to its middle, and at equal
- * depth the earlier primitive is in front. Each is laid over its samples, from the farthest to the nearest. So where two cross within a
- * pixel, one is in front in all of it.
+ * at the samples. Surfaces of a pixel are ordered by the depths of their samples nearest to its middle. At equal depth,
+ * the earlier primitive is in front. Each is laid over its samples, from the farthest to the nearest. So where two
+ * cross within a pixel, one is in front in all of it.
  * Exact:  + - * / in one order: every instruction set and thread count gives the same bytes.
  * Source: Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", 1984.
  */

@@ -42,8 +42,8 @@ void zr_layers_give(struct zr_layers_pool *pool, struct zr_layers *layers);
 bool zr_layers_mask(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
                     struct zr_tile *tile);
 
-/* Lists the fragments of `mode` in a tile from zr_tile_find_visible, sorted, in layers->fragments and layers->most: those
- * in front of the tile's samples, and blended ones of equal depth, too, such as decals. Returns false if cancelled or out of memory. */
+/* Lists the fragments of `mode` in a tile from zr_tile_find_visible, sorted: those in front of its samples, and blended
+ * ones of equal depth, such as decals. Sets layers->most. Returns false if cancelled or out of memory. */
 bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
                     const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_layers *layers);
 

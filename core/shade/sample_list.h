@@ -24,7 +24,7 @@ struct zr_sample_room {
     _Alignas(64) unsigned char bytes[384 << 10];
 };
 
-/* Writes the values to a G-buffer of one row, whose owners it does not write. Base colours, materials and opacities are optional.
+/* Writes the values to a G-buffer of one row, without owners. Base colours, materials and opacities are optional.
  * Up to 15 values behind the last may be written. */
 typedef void zr_samples_at_fn(const struct zr_geometry *geometry, const struct zr_scene_attributes *attributes,
                               const struct zr_sample_list *list, struct zr_sample_room *room,

@@ -12,7 +12,7 @@
 GLuint *reference_textures_make(const struct zr_scene *scene, bool decode, struct reference_error *error);
 void reference_textures_delete(const struct zr_scene *scene, GLuint *names);
 
-/* A table of fours of floats for texelFetch, 1024 a row, bound to a unit that no slot has. 0, and *error says why, where
+/* A table of fours of floats for texelFetch, 1024 a row, bound to a unit that no slot has. 0, and *error says why, if
  * there is none. */
 enum { REFERENCE_TABLE_UNIT = 15, REFERENCE_TABLE_ROW = 1024 };
 GLuint reference_table_make(const float *fours, uint32_t count, struct reference_error *error);
