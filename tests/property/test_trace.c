@@ -114,7 +114,7 @@ TEST(traces_of_scene_files_give_their_pictures)
     assert_true(files_each("tests/scenes", ".json", check_file, team) > 30);
     assert_true(files_each("clients/examples", ".json", check_file, team) > 0);
     print_message("%d scene files are played back\n", played);
-    assert_int_equal(played, 76);
+    assert_int_equal(played, 78);
     zr_team_destroy(team);
 }
 

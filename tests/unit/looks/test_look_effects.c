@@ -124,7 +124,7 @@ TEST_EACH_ISA(xrays_are_denser_along_the_view_and_on_the_left)
     zr_xray_of(isa_under_test(state))(&lighting, &samples.g, opacity);
     for (int i = 0; i < 200; i++) {
         const double x = (i + 0.5) / 100.0 - 1.0, along = 1.0 - sqrt(fmax(1.0 - x * x, 0.0));
-        const double want = (0.10 + 0.80 * along * along) * (1.0 - 0.4 * x);
+        const double want = (0.15 + 0.76 * along * along) * (1.0 - 0.4 * x);
         assert_true(fabs((double)opacity[i] - 0.5 * fmin(want, 1.0)) < 1e-4);
     }
 }
