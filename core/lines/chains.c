@@ -10,6 +10,9 @@ enum { CREASE = ZR_FEATURE_WEAK | ZR_FEATURE_STRONG | ZR_FEATURE_CONVEX | ZR_FEA
 /* Creases of this share of the diagonal stay lines in any window: they are edges of parts, and no noise of scans. */
 static const double long_share = 1.0 / 64.0;
 
+/* Cosine of a tenth of a degree: between the triangles of a plane. */
+static const float flat_cosine = 0.99999848f;
+
 /* Cosine of 50 degrees. */
 static const double turn_cosine = 0.64278760968653933;
 
@@ -19,11 +22,13 @@ struct crease {
     uint32_t links[2];          /* number of the end that each end goes on at */
     uint8_t features;
     bool is_seen, is_kept;
+    bool is_of_plane; /* beside it is a plane of several triangles */
 };
 
 struct chaining {
     const struct zr_window_mesh *mesh;
     const struct zr_cancel *cancel;
+    const struct zr_drawn_instance *of; /* of the edge that is looked at */
     uint8_t *features;
     uint32_t count;
     struct crease *creases;
@@ -49,6 +54,7 @@ static void each_edge(struct chaining *c, unsigned bits, void (*use)(struct chai
             if (is_due(c, e)) return;
             if (!(c->features[of->first_edge + e] & bits)) continue;
             const struct zr_mesh_edge *edge = &of->table->edges[e];
+            c->of = of;
             use(c, of->first_edge + e,
                 (const uint32_t[2]){of->first_vertex + edge->low, of->first_vertex + edge->high});
         }
@@ -63,12 +69,35 @@ static void count_crease(struct chaining *c, uint32_t edge, const uint32_t verti
     c->ends[vertices[1]]++;
 }
 
+/* True if another edge of a triangle leads to one of the same plane. */
+static bool is_in_plane(const struct chaining *c, uint32_t triangle, uint32_t edge)
+{
+    const struct zr_edge_mesh *table = c->of->table;
+    const float(*normals)[3] = c->mesh->normals + c->of->first_triangle, *a = normals[triangle];
+    for (uint32_t side = 3 * triangle; side < 3 * triangle + 3; side++) {
+        const uint32_t other = table->side_edges[side];
+        if (other == edge || zr_edge_side_count(table, other) != 2) continue;
+        const uint32_t *sides = table->sides + table->edges[other].first_side;
+        const float *b = normals[sides[sides[0] == side] / 3];
+        if (fabsf((a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]) >= flat_cosine) return true;
+    }
+    return false;
+}
+
+static bool is_of_plane(const struct chaining *c, uint32_t edge)
+{
+    const struct zr_edge_mesh *table = c->of->table;
+    const uint32_t *sides = table->sides + table->edges[edge].first_side, count = zr_edge_side_count(table, edge);
+    return count == 2 && (is_in_plane(c, sides[0] / 3, edge) || is_in_plane(c, sides[1] / 3, edge));
+}
+
 static void add_crease(struct chaining *c, uint32_t edge, const uint32_t vertices[2])
 {
     c->creases[c->count++] = (struct crease){.edge = edge,
                                              .vertices = {vertices[0], vertices[1]},
                                              .links = {NO_LINK, NO_LINK},
-                                             .features = c->features[edge]};
+                                             .features = c->features[edge],
+                                             .is_of_plane = is_of_plane(c, edge - c->of->first_edge)};
 }
 
 static void touch(struct chaining *c, uint32_t edge, const uint32_t vertices[2])
@@ -161,6 +190,7 @@ struct chain {
     double length;               /* pixels */
     uint32_t count, first, last; /* ends of the chain, by their numbers */
     bool is_strong, is_long;
+    bool has_skin; /* some crease is beside no plane */
 };
 
 /* Returns the length in the window. A crease that crosses the near or far plane counts as long. */
@@ -192,6 +222,7 @@ static uint32_t walk(struct chaining *c, uint32_t end, struct chain *chain, bool
         chain->length += length_of(c, crease);
         chain->is_strong = chain->is_strong || crease->features & ZR_FEATURE_STRONG;
         chain->is_long = chain->is_long || is_long(c, crease);
+        chain->has_skin = chain->has_skin || !crease->is_of_plane;
         const uint32_t other = end ^ 1u, next = crease->links[other % 2];
         if (next == NO_LINK || next == first) return other;
         end = next;
@@ -297,7 +328,7 @@ static bool is_free(struct chaining *c, uint32_t first, const uint32_t *counts)
 {
     struct chain chain = {0};
     const uint32_t last = walk(c, first, &chain, false);
-    if (c->creases[first / 2].links[first % 2] != NO_LINK) return false; /* a ring */
+    if (c->creases[first / 2].links[first % 2] != NO_LINK || !chain.has_skin) return false; /* a ring, or of planes */
     const bool begins = counts[vertex_of(c, first)] == 1, ends = counts[vertex_of(c, last)] == 1;
     return chain.is_strong ? begins && ends : begins || ends;
 }

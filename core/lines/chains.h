@@ -6,7 +6,8 @@
  *         crease and 12 pixels, or 72 pixels. Strong chains of one or two edges stay as well if both ends touch a
  *         border or a crease that stays; up to 8 rounds.
  * Free:   an end is free if no border and no other crease that stays ends there: the surface becomes smooth. Chains
- *         without a strong crease go if an end is free, others if both are; up to 8 rounds. Rings have no ends.
+ *         without a strong crease go if an end is free, others if both are; up to 8 rounds. Rings have no ends, and
+ *         creases beside planes stay: they are edges of machined parts.
  * Exact:  the same for any number of threads. */
 #ifndef ZR_CHAINS_H
 #define ZR_CHAINS_H

@@ -81,13 +81,14 @@ TEST(borders_without_normals_of_the_file_are_lines)
 
 enum { ROWS = 9 };
 
-/* A roof of two strips along y from 0 to 8, whose quads meet at about degrees[i] at y = i. */
-static const char *roof(const double degrees[ROWS])
+/* A roof of two strips along y from 0 to 8, whose quads meet at about degrees[i] at y = i. `twist`: 0 makes quads
+ * between equal degrees planes. */
+static const char *roof(const double degrees[ROWS], double twist)
 {
     static char text[4096];
     size_t used = 0;
     for (int i = 0; i < ROWS; i++) {
-        const double fall = tan(degrees[i] * 0.5 * 0.017453292519943295);
+        const double fall = tan(degrees[i] * 0.5 * 0.017453292519943295) * (1.0 + (i % 2 ? twist : -twist));
         used += (size_t)snprintf(text + used, sizeof text - used, "v -1 %d %.9g\nv 0 %d 0\nv 1 %d %.9g\n", i, -fall, i,
                                  i, -fall);
     }
@@ -102,7 +103,7 @@ static const char *roof(const double degrees[ROWS])
 /* Returns the length of the ridge that is drawn. The border has 20. */
 static double ridge_of(const double degrees[ROWS])
 {
-    return length_of(roof(degrees)) - 20.0;
+    return length_of(roof(degrees, 0.01)) - 20.0;
 }
 
 TEST(weak_creases_with_a_free_end_are_no_lines)
@@ -112,6 +113,13 @@ TEST(weak_creases_with_a_free_end_are_no_lines)
     assert_true(fabs(ridge_of(within)) < 0.1);
     assert_true(fabs(ridge_of(at_border)) < 0.1);
     assert_true(fabs(ridge_of(whole) - 8.0) < 0.1);
+}
+
+/* Such as chamfers, whose rounded corners bend less. */
+TEST(weak_creases_between_planes_are_lines)
+{
+    const double within[ROWS] = {10, 10, 38, 38, 38, 38, 10, 10, 10};
+    assert_true(length_of(roof(within, 0.0)) - 20.0 > 2.9);
 }
 
 TEST(strong_creases_with_two_free_ends_are_no_lines)
