@@ -5,7 +5,13 @@
 #include "base/mutant.h"
 #include "shade/models/xray.h"
 
-enum { SIDE = ZR_SURFACES_SIDE, COLUMNS = ZR_SURFACES_COLUMNS, PIXELS = ZR_SURFACES_PIXELS, ROOM_AT_FIRST = 4096 };
+enum {
+    SIDE = ZR_SURFACES_SIDE,
+    SAMPLES = SIDE * SIDE,
+    COLUMNS = ZR_SURFACES_COLUMNS,
+    PIXELS = ZR_SURFACES_PIXELS,
+    ROOM_AT_FIRST = 4096
+};
 
 /* ---- the pool ---- */
 
@@ -44,12 +50,14 @@ struct marking {
     _Alignas(64) float depths[ZR_LAYER_FLOATS];
 };
 
-/* Ensures room for the surfaces of one more primitive. What is given up is no larger than what is taken. */
-static bool make_room(struct zr_layers_pool *pool, struct zr_layer_surfaces *s)
+/* Ensures room for more surfaces. What is given up is no larger than what is taken. */
+static bool make_room(struct zr_layers_pool *pool, uint32_t more, struct zr_layer_surfaces *s)
 {
-    if (s->count + PIXELS <= s->room) return true;
-    if (s->room > UINT32_MAX / 4) return false;
-    const uint32_t room = s->room ? 2 * s->room : ROOM_AT_FIRST;
+    uint32_t room = s->room ? s->room : ROOM_AT_FIRST;
+    if (s->count + more <= s->room) return true;
+    while (s->count + more > room && room <= UINT32_MAX / 4)
+        room *= 2;
+    if (s->count + more > room) return false;
     pthread_mutex_lock(&pool->lock);
     struct zr_layer_surface *at = zr_arena_alloc(pool->arena, room, sizeof *at);
     uint64_t *order = zr_arena_alloc(pool->arena, room, sizeof *order);
@@ -71,6 +79,19 @@ static uint32_t mask_of(const uint64_t *rows, int column)
     return mask;
 }
 
+/* Sets the depths of the samples at a place of the tile. */
+static void set_depths(const struct marking *m, size_t place, struct zr_layer_surface *out)
+{
+    for (size_t y = 0; y < SIDE; y++)
+        memcpy(out->depths + y * SIDE, m->depths + place + y * ZR_TILE_STRIDE, SIDE * sizeof *out->depths);
+    out->depth = out->near = out->far = out->depths[zr_surface_nearest_of(out->mask)];
+    for (uint32_t left = out->mask; left; left &= left - 1) {
+        const float depth = out->depths[__builtin_ctz(left)];
+        if (depth < out->near) out->near = depth;
+        if (depth > out->far) out->far = depth;
+    }
+}
+
 /* Adds the surfaces of row y of pixels. */
 static void put_row(const struct marking *m, int32_t y, uint32_t owner, struct zr_layer_surfaces *out)
 {
@@ -78,13 +99,11 @@ static void put_row(const struct marking *m, int32_t y, uint32_t owner, struct z
     uint64_t any = rows[0] | rows[1] | rows[2] | rows[3];
     while (any) {
         const int32_t column = __builtin_ctzll(any) / SIDE * SIDE;
-        const uint32_t mask = mask_of(rows, column);
-        const int32_t sample = (int32_t)zr_surface_nearest_of(mask);
-        const int32_t place = (y * SIDE + sample / SIDE) * ZR_TILE_STRIDE + column + sample % SIDE;
-        out->at[out->count++] = (struct zr_layer_surface){.owner = owner,
-                                                          .pixel = (uint16_t)(y * COLUMNS + column / SIDE),
-                                                          .mask = (uint16_t)mask,
-                                                          .depth = m->depths[place]};
+        struct zr_layer_surface *added = &out->at[out->count++];
+        added->owner = owner;
+        added->pixel = (uint16_t)(y * COLUMNS + column / SIDE);
+        added->mask = (uint16_t)mask_of(rows, column);
+        set_depths(m, (size_t)(y * SIDE * ZR_TILE_STRIDE + column), added);
         any &= ~(UINT64_C(0xF) << column);
     }
 }
@@ -93,7 +112,7 @@ static void put_row(const struct marking *m, int32_t y, uint32_t owner, struct z
 static void turn(struct zr_fragment_marks *marks, uint32_t owner)
 {
     struct marking *m = (struct marking *)marks; /* its first member */
-    if (marks->begin > 0 && make_room(m->pool, m->out))
+    if (marks->begin > 0 && make_room(m->pool, PIXELS, m->out))
         for (int32_t y = 0; y < COLUMNS; y++)
             put_row(m, y, marks->begin, m->out);
     memset(m->rows, 0, sizeof m->rows);
@@ -138,13 +157,69 @@ static void put_in_order(struct zr_layer_surfaces *s, key_fn *key, const struct 
         zr_fragment_keys_sort(s->order + s->first[pixel], s->first[pixel + 1] - s->first[pixel]);
 }
 
+/* ---- surfaces that cross ---- */
+
+enum { CROSSING_MOST = 64 /* surfaces of a pixel that are compared with one another */ };
+
+/* True if surface j is in front of i at a sample of both. `i` is in front in the order of the pixel. */
+static bool do_cross(const struct zr_layer_surfaces *s, uint32_t i, uint32_t j)
+{
+    const struct zr_layer_surface *a = &s->at[i], *b = &s->at[j];
+    if (a->far < b->near) return false;
+    for (uint32_t left = a->mask & b->mask; left; left &= left - 1) {
+        const float near = a->depths[__builtin_ctz(left)], far = b->depths[__builtin_ctz(left)];
+        if (near > far || (near == far && i > j)) return true;
+    }
+    return false;
+}
+
+static bool any_cross(const struct zr_layer_surfaces *s, uint32_t pixel)
+{
+    const uint32_t begin = s->first[pixel], end = s->first[pixel + 1];
+    for (uint32_t i = begin; i < end && end - begin <= CROSSING_MOST; i++)
+        for (uint32_t j = i + 1; j < end; j++)
+            if (do_cross(s, (uint32_t)s->order[i], (uint32_t)s->order[j])) return true;
+    return false;
+}
+
+/* Makes each sample of a surface a surface behind the others, and leaves none of its own. */
+static void split(struct zr_layer_surfaces *s, uint32_t i)
+{
+    for (uint32_t left = s->at[i].mask; left; left &= left - 1) {
+        struct zr_layer_surface *sample = &s->at[s->count++];
+        *sample = s->at[i];
+        sample->mask = (uint16_t)(left & -left);
+        sample->depth = sample->depths[__builtin_ctz(left)];
+    }
+    s->at[i].mask = 0;
+}
+
+/* Splits the surfaces of pixels in which some cross. Returns false if there are none, or no memory. */
+static bool split_crossing(struct zr_layers_pool *pool, const struct zr_cancel *cancel, struct zr_layer_surfaces *s)
+{
+    bool crosses[PIXELS];
+    uint32_t more = 0;
+    for (uint32_t pixel = 0; pixel < PIXELS && !zr_is_cancelled(cancel); pixel++) {
+        crosses[pixel] = any_cross(s, pixel);
+        if (crosses[pixel]) more += SAMPLES * (s->first[pixel + 1] - s->first[pixel]);
+    }
+    if (more == 0 || zr_is_cancelled(cancel) || !make_room(pool, more, s)) return false;
+    for (uint32_t i = 0, all = s->count; i < all; i++)
+        if (crosses[s->at[i].pixel]) split(s, i);
+    return true;
+}
+
 /* ---- primitives that come more than once ---- */
 
 static bool join(const struct zr_layer_surface *part, struct zr_layer_surface *whole)
 {
     if (part->pixel != whole->pixel || part->owner != whole->owner) return false;
+    for (uint32_t left = part->mask; left; left &= left - 1)
+        whole->depths[__builtin_ctz(left)] = part->depths[__builtin_ctz(left)];
+    if (part->near < whole->near) whole->near = part->near;
+    if (part->far > whole->far) whole->far = part->far;
     whole->mask |= part->mask;
-    if (part->mask >> zr_surface_nearest_of(whole->mask) & 1) whole->depth = part->depth;
+    whole->depth = whole->depths[zr_surface_nearest_of(whole->mask)];
     return true;
 }
 
@@ -226,7 +301,7 @@ static void light_listed(const struct zr_layer_light *light, const struct zr_til
 /* Surfaces that are as opaque as this are nearly edge-on, where opacity can change much within a pixel. */
 #define STEEP 0.35f
 
-enum { SAMPLES = SIDE * SIDE, STEEP_LISTED = ZR_SAMPLES_LISTED / SAMPLES };
+enum { STEEP_LISTED = ZR_SAMPLES_LISTED / SAMPLES };
 
 /* Lists each sample of a surface. */
 static void list_samples(const struct zr_tile *tile, const struct zr_layer_surface *s, struct zr_sample_list *list)
@@ -297,5 +372,6 @@ void zr_layer_surfaces_light(const struct zr_layer_light *light, const struct zr
     }
     if (light->has_xrays) light_steep(light, tile, cancel, list, room, surfaces);
     put_in_order(surfaces, by_depth, cancel);
+    if (split_crossing(light->tiles->layers, cancel, surfaces)) put_in_order(surfaces, by_depth, cancel);
     if (light->leaves_glass && !zr_is_cancelled(cancel)) leave_glass(light, surfaces);
 }

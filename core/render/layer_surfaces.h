@@ -3,8 +3,8 @@
  * A surface is what a primitive covers of a pixel: a mask of samples. It is lit at their middle, without occlusion.
  * X-rays and glass change their opacity quickly where they are seen edge-on: an opacity above 0.35 is the mean of those
  * at the samples. Surfaces of a pixel are ordered by the depths of their samples nearest to its middle. At equal depth,
- * the earlier primitive is in front. Each is laid over its samples, from the farthest to the nearest. So where two
- * cross within a pixel, one is in front in all of it.
+ * the earlier primitive is in front. Each is laid over its samples, from the farthest to the nearest. Where two cross
+ * within a pixel of at most 64 surfaces, each sample has an order of its own.
  * Exact:  + - * / in one order: every instruction set and thread count gives the same bytes.
  * Source: Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", 1984.
  */
@@ -23,6 +23,7 @@ struct zr_layer_surface {
     uint16_t mask;  /* sample i, of column i % 4 and row i / 4, is bit i */
     float depth;    /* of the sample nearest to the middle of the pixel */
     float color[4]; /* linear light, and opacity */
+    float near, far, depths[ZR_SURFACES_SIDE * ZR_SURFACES_SIDE]; /* least and largest; of the samples of the mask */
 };
 
 /* Surfaces of a tile, in the order of their primitives. */

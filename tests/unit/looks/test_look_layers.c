@@ -40,7 +40,8 @@ static const struct zr_frame *draw(int samples, const char *opacity, struct zr_t
     return frame;
 }
 
-/* Pixels differ at silhouettes, by the number of samples, and where panes cross. In another order, 99 of 100 do. */
+/* Pixels differ at silhouettes, by the number of samples. With one order for all samples of a pixel, panes that cross
+ * have teeth: the root of the mean square is 1.27. */
 TEST_EACH_ISA(blended_surfaces_are_as_those_of_each_sample)
 {
     struct zr_team *team = zr_team_create_for(2, isa_under_test(state));
@@ -57,8 +58,8 @@ TEST_EACH_ISA(blended_surfaces_are_as_those_of_each_sample)
         apart += by > 2 || by < -2;
     }
     print_message("rms %.3f, apart %.4f\n", sqrt(squares / (double)bytes), (double)apart / (double)bytes);
-    assert_true(squares / (double)bytes < 1.5 * 1.5);
-    assert_true((double)apart < 0.03 * (double)bytes);
+    assert_true(squares / (double)bytes < 0.95 * 0.95);
+    assert_true((double)apart < 0.02 * (double)bytes);
     for (int k = 0; k < 2; k++) {
         zr_arena_free(&arenas[k]);
         reading_free(readings[k]);
