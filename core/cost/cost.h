@@ -37,7 +37,7 @@
     ROW(LAMP_SAMPLE, 1.0, "samples times lamps")                                                                       \
     ROW(PLACED_LAMP_SAMPLE, 4.2, "samples times point and spot lamps")                                                 \
     ROW(SHADOW_SAMPLE, 5.0, "samples times lamps with shadows")                                                        \
-    ROW(TEXTURE_SAMPLE, 20.0, "samples times textures")                                                                \
+    ROW(TEXTURE_SAMPLE, 10.0, "samples times textures")                                                                \
     ROW(OCCLUSION_PIXEL, 42.0, "pixels with occlusion")                                                                \
     ROW(EDGE_SAMPLE, 0.1, "samples with edges")                                                                        \
     ROW(EDGE_WIDTH_SAMPLE, 0.02, "samples times the width of edges")                                                   \

@@ -159,6 +159,9 @@ static void put_in_order(struct zr_layer_surfaces *s, key_fn *key, const struct 
 
 /* ---- surfaces that cross ---- */
 
+/* Depths of surfaces in one place differ by rounding, and then no sample tells more than another. */
+#define COINCIDENT 1e-6f
+
 enum { CROSSING_MOST = 64 /* surfaces of a pixel that are compared with one another */ };
 
 /* True if surface j is in front of i at a sample of both. `i` is in front in the order of the pixel. */
@@ -168,7 +171,7 @@ static bool do_cross(const struct zr_layer_surfaces *s, uint32_t i, uint32_t j)
     if (a->far < b->near) return false;
     for (uint32_t left = a->mask & b->mask; left; left &= left - 1) {
         const float near = a->depths[__builtin_ctz(left)], far = b->depths[__builtin_ctz(left)];
-        if (near > far || (near == far && i > j)) return true;
+        if (near > far + COINCIDENT) return true;
     }
     return false;
 }

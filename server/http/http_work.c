@@ -230,6 +230,7 @@ static bool share_answer(struct exchange *leader, struct exchange *follower)
 {
     struct http *http = leader->http;
     if (!is_shareable(&leader->answer) || http_room_is_full(http)) return false;
+    if (http_room_is_taken_by(http, follower->holder)) return false; /* its answers have half of the room */
     if (!answer_share(&leader->answer, &follower->answer)) return false;
     http->shared_answers++;
     follower->answer_bytes = follower->answer.bytes ? follower->answer.size : 0;

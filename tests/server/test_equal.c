@@ -108,6 +108,30 @@ TEST(equal_requests_are_drawn_once)
     daemon_stop(&server);
 }
 
+/* Answers of 1.2 MB: with the second one, the client has more than half of the room. */
+TEST(shared_answers_of_a_client_leave_room_to_others)
+{
+    enum { COUNT = 5 };
+    static const char scene[] =
+        "{\"window\": {\"width\": 400, \"height\": 250}, \"outputs\": [{\"channel\": \"position\", \"encoding\": "
+        "\"npy\"}], \"polygons\": [{\"vertices\": [[0,0,0], [1,0,0], [0,1,0]]}]}";
+    struct daemon server =
+        daemon_start(LIST(ANY_COST, "--workers=1", "--render-timeout-ms=600000", "--answer-memory-bytes=4000000"));
+    int clients[COUNT];
+    const int block = begin_block(&server);
+    for (int i = 0; i < COUNT; i++)
+        clients[i] = begin_post(&server, scene);
+    wait_for_work(&server, 1 + COUNT);
+    close(block);
+    for (int i = 0; i < COUNT; i++) {
+        char *answer = end(clients[i]);
+        assert_int_equal(raw_status(answer), 200);
+        free(answer);
+    }
+    client_wait_for_metric(&server, "", "zraster_shared_answers_total 1");
+    daemon_stop(&server);
+}
+
 TEST(followers_are_answered_if_their_leader_leaves)
 {
     struct daemon server = daemon_start(LIST(LET_IN));
