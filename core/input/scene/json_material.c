@@ -248,7 +248,7 @@ static void put_reflectance(const struct zr_parsed_material *given, struct zr_ma
 static void put_factors(const struct zr_parsed_material *given, struct zr_finish *finish)
 {
     const struct {
-        enum zr_material_key texture, key;
+        int texture, key; /* of enum zr_material_key */
         float *factor;
     } factors[] = {{ZR_MATERIAL_COAT_TEXTURE, ZR_MATERIAL_COAT, &finish->coat},
                    {ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE, ZR_MATERIAL_COAT_ROUGHNESS, &finish->coat_roughness},
