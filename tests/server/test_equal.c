@@ -117,17 +117,20 @@ TEST(shared_answers_of_a_client_leave_room_to_others)
         "\"npy\"}], \"polygons\": [{\"vertices\": [[0,0,0], [1,0,0], [0,1,0]]}]}";
     struct daemon server =
         daemon_start(LIST(ANY_COST, "--workers=1", "--render-timeout-ms=600000", "--answer-memory-bytes=4000000"));
-    int clients[COUNT];
+    int clients[COUNT], pictures = 0;
     const int block = begin_block(&server);
     for (int i = 0; i < COUNT; i++)
         clients[i] = begin_post(&server, scene);
     wait_for_work(&server, 1 + COUNT);
     close(block);
-    for (int i = 0; i < COUNT; i++) {
+    for (int i = 0; i < COUNT; i++) { /* the others are drawn, or refused while the answers before them are read */
         char *answer = end(clients[i]);
-        assert_int_equal(raw_status(answer), 200);
+        const int status = raw_status(answer);
         free(answer);
+        assert_true(status == 200 || status == 503);
+        pictures += status == 200;
     }
+    assert_true(pictures >= 2);
     client_wait_for_metric(&server, "", "zraster_shared_answers_total 1");
     daemon_stop(&server);
 }
