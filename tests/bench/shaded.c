@@ -169,13 +169,15 @@ static bool make_linear_program(struct shaded *shaded, struct reference_error *e
     const struct reference_batch *batch = &shaded->arrays.batches[0];
     const struct zr_picture *picture = shaded->scene->picture;
     const struct look_twin twin = {.scene = shaded->scene, .camera = &shaded->camera};
-    snprintf(text, sizeof text,
-             "#define FIXED\n"
-             "const float side = %d.0, toe = %f, environment = %d.0, lamp_count = %u.0;\n"
-             "const float has[5] = float[5](%d.0, 0.0, 0.0, 0.0, 0.0), second[5] = float[5](0.0, 0.0, 0.0, 0.0, 0.0);\n"
-             "const int shading = %d;\n",
-             batch->light == REFERENCE_LIT ? 0 : 1, (double)toes[picture->tone], (int)picture->environment.name,
-             shaded->scene->light_count, batch->textured ? 1 : 0, (int)ZR_SHADING_PBR);
+    snprintf(
+        text, sizeof text,
+        "#define FIXED\n"
+        "const float side = %d.0, toe = %f, environment = %d.0, lamp_count = %u.0;\n"
+        "const float has[14] = float[14](%d.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);\n"
+        "const float second[14] = float[14](0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);\n"
+        "const int shading = %d;\n",
+        batch->light == REFERENCE_LIT ? 0 : 1, (double)toes[picture->tone], (int)picture->environment.name,
+        shaded->scene->light_count, batch->textured ? 1 : 0, (int)ZR_SHADING_PBR);
     shaded->program = look_program_fixed(text, error);
     if (!shaded->program) return false;
     const struct reference_uniform *uniforms = look_twin_uniforms(&twin);
