@@ -4,207 +4,21 @@
 
 #include "base/arena.h"
 #include "core.h"
+#include "cost_passes.h"
 #include "cost_sample.h"
+#include "cost_window.h"
 #include "effects/edges.h"
-#include "effects/ground.h"
-#include "effects/shadow_maps.h"
-#include "lines/cells.h"
-#include "lines/window_view.h"
 #include "mesh/facts/overlap.h"
 #include "output/images/lossy.h"
 #include "raster/textbook/algorithms.h"
 #include "raster/textbook/trace.h"
 #include "raster/tile.h"
-#include "render/backdrop.h"
 #include "render/frame_parts.h"
-#include "render/layer_surfaces.h"
-#include "render/layers.h"
 #include "render/lens.h"
 #include "render/picture.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/output.h"
-#include "shade/lights/shadow_map.h"
 #include "shade/texture_maps.h"
-
-/* ---- passes ---- */
-
-/* Number of passes by kind. */
-struct passes {
-    double centres; /* at pixel centres: for channels and, in linear light, for occlusion */
-    double samples; /* at side x side samples per pixel: 0 or 1 */
-    double side;
-    double maps, map_texels; /* shadow maps, that of the ground included, and their texels */
-    uint32_t lamp_maps;      /* shadow maps of lights */
-    bool makes_normals;      /* averages normals over faces */
-};
-
-static bool wants_channels(const struct zr_view *view)
-{
-    for (uint32_t i = 0; i < view->output_count; i++)
-        if (view->outputs[i].channel != ZR_CHANNEL_COLOR) return true;
-    return false;
-}
-
-static uint32_t count_lamp_maps(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
-{
-    uint32_t count = 0;
-    struct zr_camera camera;
-    for (uint32_t i = 0; i < scene->light_count; i++)
-        count += zr_light_casts_shadows(&scene->lights[i]) &&
-                 (scene->lights[i].type == ZR_LIGHT_DIRECTIONAL ||
-                  zr_light_camera(scene, &scene->lights[i], &resolved->camera, &resolved->bounds, &camera));
-    return count;
-}
-
-static struct passes passes_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
-{
-    const struct zr_picture *picture = scene->picture;
-    const struct zr_view *view = &scene->views[0];
-    /* Passes of the masks, of the target of a flow, and of a trace. */
-    const double more = (double)zr_view_has_masks(view) + (double)zr_view_wants(view, ZR_CHANNEL_FLOW) +
-                        (double)zr_view_wants(view, ZR_CHANNEL_TRACE);
-    struct passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0 + more, .side = 1.0};
-    if (!zr_view_has_pixels(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
-    passes.samples = 1.0;
-    passes.side = (double)picture->side;
-    passes.centres = wants_channels(view) + more;
-    if (!picture->is_linear) return passes;
-    const bool has_maps = zr_diagonal_of(&resolved->bounds) > 0.0f;
-    const double ground = has_maps && picture->has_ground;
-    passes.centres += picture->occlusion.is_on;
-    passes.lamp_maps = has_maps ? count_lamp_maps(scene, resolved) : 0;
-    passes.maps = (double)passes.lamp_maps + ground;
-    passes.map_texels = (double)passes.lamp_maps * ((double)ZR_SHADOW_SIDE * ZR_SHADOW_SIDE) +
-                        ground * ((double)ZR_GROUND_SIDE * ZR_GROUND_SIDE);
-    passes.makes_normals = true;
-    return passes;
-}
-
-/* ---- memory ---- */
-
-/* Bytes per pixel or sample. EDGE_BYTES: per tile, for its borders. CELL_BYTES: per cell of lines/cells.h. */
-enum {
-    WORD_BYTES = 4,
-    SAMPLE_BYTES = 8,
-    GBUFFER_ARRAYS = 7,
-    OCCLUSION_ARRAYS = 1,
-    LINEAR_BYTES = 16,
-    FRAGMENT_BYTES = 8,
-    LAYER_SURFACE_BYTES = sizeof(struct zr_layer_surface) + 8,
-    EDGE_BYTES = 7196,
-    CELL_BYTES = 8
-};
-
-/* Pixels of a cell. */
-#define CELL_PIXELS ((double)ZR_CELL_PIXELS * ZR_CELL_PIXELS)
-
-static double bytes_of_channels(const struct zr_view *view)
-{
-    double words = 0.0;
-    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
-        if (zr_view_needs(view, (enum zr_channel)c)) words += (double)zr_channel_rows[c].words;
-    return WORD_BYTES * words;
-}
-
-/* True if opaque surfaces may hide layers; hidden layers take no memory, and neither do those that are cut away. */
-static bool may_hide_layers(const struct zr_scene *scene)
-{
-    for (uint32_t i = 0; i < scene->material_count; i++)
-        if (!zr_material_is_layered(&scene->materials[i])) return true;
-    return scene->base != NULL;
-}
-
-/* True if surfaces are lit once in a pixel (effects/surfaces.h, render/layer_surfaces.h). */
-static bool are_surfaces_lit(const struct zr_scene *scene)
-{
-    return scene->picture && scene->picture->is_linear && scene->picture->side == ZR_SURFACES_SIDE &&
-           scene->texture_count == 0;
-}
-
-/* Bytes of the fragments of an average tile; algorithms other than halfspace keep the fragments of the whole window. */
-static double bytes_of_layers(const struct zr_scene *scene, double samples, double kept)
-{
-    const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
-    if (kept < ZR_TILE_SIZE || may_hide_layers(scene) || scene->sections.count > 0) return 0.0;
-    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) return kept * FRAGMENT_BYTES + samples * WORD_BYTES;
-    if (are_surfaces_lit(scene)) return kept / (ZR_SURFACES_SIDE * ZR_SURFACES_SIDE) / tiles * LAYER_SURFACE_BYTES;
-    return (double)sizeof(struct zr_layers) + kept / tiles * FRAGMENT_BYTES;
-}
-
-/* Bytes of shadow maps: each is held twice, as drawn and with a border. */
-static double bytes_of_lamp_maps(uint32_t maps)
-{
-    const double drawn = ZR_SHADOW_SIDE, bordered = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
-    return (double)maps * (drawn * drawn + bordered * bordered) * WORD_BYTES;
-}
-
-/* True if edges are lines of the mesh. */
-static bool draws_lines(const struct zr_picture *picture)
-{
-    return picture->edges.is_on && picture->edges.is_from_mesh;
-}
-
-/* Returns pixels of the window in which lines are found (lines/window_view.h) per pixel of a window that the scene
- * fills. */
-static double fine_pixels(double width, double height)
-{
-    return (double)ZR_FINE_DIAGONAL * ZR_FINE_DIAGONAL / (width * width + height * height);
-}
-
-/* Returns how often lines of the mesh are found: for a picture, and for a file. */
-static double line_times(const struct zr_scene *scene, const struct passes *passes)
-{
-    const bool in_picture = passes->samples > 0.0 && scene->picture->is_linear;
-    if (scene->is_undrawn || !draws_lines(scene->picture)) return 0.0;
-    return (in_picture ? 1.0 : 0.0) + (zr_view_encodes(&scene->views[0], ZR_ENCODING_SVG) ? 1.0 : 0.0);
-}
-
-/* Bytes of the masks of instances: three bits per pixel. Each has at least a tenth of its instance's fragments. */
-static double bytes_of_masks(const struct zr_scene *scene, double pixels, double fragments)
-{
-    if (!zr_view_has_masks(&scene->views[0])) return 0.0;
-    return 3.0 / 8.0 * fmin(0.1 * fragments, pixels * (double)scene->instance_count);
-}
-
-/* Bytes of the cells in which lines of the mesh are found: at least one face is in a cell that faces cover. Small
- * windows may show a detail of the scene, which has fewer fine pixels. */
-static double bytes_of_cells(const struct zr_view *view, double pixels, double fragments)
-{
-    const double cells = fmin(fine_pixels((double)view->width, (double)view->height), 2.0) / CELL_PIXELS;
-    return cells * (pixels * CELL_BYTES + fmin(fragments, pixels) * (double)sizeof(struct zr_cell_entry));
-}
-
-/* True if glass shows a picture of the other surfaces, which is drawn first. */
-static bool refracts(const struct zr_scene *scene)
-{
-    return scene->picture->is_linear && zr_background_is_opaque(scene) &&
-           zr_any_refracts(scene->materials, scene->material_count);
-}
-
-static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept, double fragments)
-{
-    const struct zr_picture *picture = scene->picture;
-    const struct zr_view *view = &scene->views[0];
-    const double pixels = (double)view->width * (double)view->height, samples = pixels * passes->side * passes->side;
-    double sum = pixels * bytes_of_channels(view) + bytes_of_layers(scene, samples, kept);
-    if (scene->is_undrawn) return 0.0;
-    sum += bytes_of_masks(scene, pixels, fragments);
-    if (zr_view_wants(view, ZR_CHANNEL_FLOW)) sum += pixels * WORD_BYTES;
-    if (zr_view_has_pixels(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
-    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* these keep a z-buffer of the whole window */
-        sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
-    if (passes->samples == 0.0 || !picture->is_linear) return sum;
-    sum += pixels * LINEAR_BYTES + bytes_of_lamp_maps(passes->lamp_maps);
-    if (refracts(scene)) sum += zr_backdrop_bytes(pixels);
-    if (picture->occlusion.is_on) sum += (GBUFFER_ARRAYS + OCCLUSION_ARRAYS) * WORD_BYTES * pixels;
-    if (draws_lines(picture))
-        sum += pixels * WORD_BYTES + bytes_of_cells(view, pixels, fragments);
-    else if (picture->edges.is_on)
-        sum += pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
-    return sum;
-}
-
-/* ---- counts ---- */
 
 /* Time per triangle and per fragment, relative to halfspace. */
 static const struct {
@@ -215,7 +29,7 @@ static const struct {
                                [ZR_ALGORITHM_SCANLINE] = {6.0, 16.0},
                                [ZR_ALGORITHM_PAINTER] = {12.0, 80.0}};
 
-static void count_geometry(const struct zr_scene *scene, const struct passes *passes, double *counts)
+static void count_geometry(const struct zr_scene *scene, const struct zr_cost_passes *passes, double *counts)
 {
     const double times = passes->centres + passes->samples + passes->maps;
     const bool has_info = zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO);
@@ -238,7 +52,7 @@ static void count_geometry(const struct zr_scene *scene, const struct passes *pa
                 (double)mesh->face_offsets[mesh->face_count] * (2.0 + (double)scene->sections.count);
         if (passes->makes_normals || (is_smooth && mesh->normal_count == 0 && !scene->is_undrawn))
             counts[ZR_COST_NORMAL] += triangles;
-        counts[ZR_COST_DRAWN_TRIANGLE] += line_times(scene, passes) * triangles;
+        counts[ZR_COST_DRAWN_TRIANGLE] += zr_cost_line_times(scene, passes) * triangles;
     }
     counts[ZR_COST_PART] = fmin(counts[ZR_COST_PART], ZR_FRAME_PARTS_MAX);
 }
@@ -367,7 +181,7 @@ static void count_trace(const struct zr_cost_sample *sample, double *counts)
 static void count_line_pairs(const struct zr_cost_sample *sample, double times, double *counts)
 {
     const double faces = sample->faces * sample->scale, window = sample->width * sample->height;
-    const double per_cell = CELL_PIXELS / fine_pixels(sample->width, sample->height);
+    const double per_cell = ZR_COST_CELL_PIXELS / zr_cost_fine_pixels(sample->width, sample->height);
     const double cells = fmin(0.5 * sample->scale * sample->fragments, window) / per_cell + 1.0;
     const double pixels = sample->fragments / fmax(sample->faces, 1.0);
     const double spread = (sample->boxes_width + sample->boxes_height) / fmax(sample->faces, 1.0) / sqrt(per_cell);
@@ -384,14 +198,14 @@ static const double SURFACES_A_PIXEL = 2.0;
 /* Cost of a sample of a blended surface that is lit once in a pixel, relative to a layer's. */
 static const double LAYER_SURFACE_TIMES = 0.25;
 
-static void count_fragments(const struct zr_cost_sample *sample, const struct passes *passes, double *counts)
+static void count_fragments(const struct zr_cost_sample *sample, const struct zr_cost_passes *passes, double *counts)
 {
     const struct zr_scene *scene = sample->scene;
     const struct zr_picture *picture = scene->picture;
     const double pixels = sample->width * sample->height, samples = pixels * passes->side * passes->side;
     const double scale = sample->scale, drawn = passes->centres + passes->samples * passes->side * passes->side;
     const double times = drawn * scale * TIMES[scene->algorithm].fragment;
-    const double depth = scale * sample->layered / pixels, repeats = refracts(scene) ? 2.0 : 1.0;
+    const double depth = scale * sample->layered / pixels, repeats = zr_cost_refracts(scene) ? 2.0 : 1.0;
     counts[ZR_COST_TRIANGLE] += 2.0 * (passes->centres + passes->samples) * scale * sample->outlines;
     counts[ZR_COST_RUN] =
         scale * sample->runs * (passes->centres + passes->maps + passes->samples * (1.0 + 0.5 * passes->side));
@@ -402,23 +216,23 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct pa
     /* Each tile looks at all edges of a cap. For lines of the mesh, the cap is triangulated. */
     const double caps = scale * sample->cap_corners;
     counts[ZR_COST_CAP_TILE] = caps * fmax(drawn * pixels / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
-    if (passes->samples > 0.0 && picture->is_linear && draws_lines(picture))
+    if (passes->samples > 0.0 && picture->is_linear && zr_cost_draws_lines(picture))
         counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
-    const double layer_times = are_surfaces_lit(scene) ? LAYER_SURFACE_TIMES : 1.0;
+    const double layer_times = zr_cost_lights_surfaces(scene) ? LAYER_SURFACE_TIMES : 1.0;
     counts[ZR_COST_LAYER] = layer_times * repeats * drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
     counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
     counts[ZR_COST_MAP_FRAGMENT] = passes->map_texels * scale * sample->fragments / pixels;
     if (scene->algorithm == ZR_ALGORITHM_PAINTER) count_painter(sample, drawn, counts);
-    counts[ZR_COST_DRAWN_PIXEL] =
-        line_times(scene, passes) * fine_pixels(sample->width, sample->height) * scale * sample->fragments;
-    count_line_pairs(sample, line_times(scene, passes), counts);
+    counts[ZR_COST_DRAWN_PIXEL] = zr_cost_line_times(scene, passes) *
+                                  zr_cost_fine_pixels(sample->width, sample->height) * scale * sample->fragments;
+    count_line_pairs(sample, zr_cost_line_times(scene, passes), counts);
     if (!zr_view_has_pixels(&scene->views[0], ZR_CHANNEL_COLOR)) return;
     /* Shading runs once per covered sample or surface of a pixel, and once per translucent fragment. If
-     * glass refracts, layers are drawn again, with the samples behind them. */
+     * glass zr_cost_refracts, layers are drawn again, with the samples behind them. */
     const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;
-    const double lit_a_pixel = are_surfaces_lit(scene) ? SURFACES_A_PIXEL : side_squared;
+    const double lit_a_pixel = zr_cost_lights_surfaces(scene) ? SURFACES_A_PIXEL : side_squared;
     const double shaded = fmin(scale * sample->fragments, pixels) + (2.0 * repeats - 1.0) * scale * sample->layered;
     const double share = sample->fragments > 0.0 ? lit_a_pixel * shaded / sample->fragments : 0.0;
     counts[ZR_COST_LIT_SAMPLE] = share * sample->lit;
@@ -478,7 +292,7 @@ static void add_lens(const struct zr_view *view, struct zr_cost *cost)
 {
     const double pixels = (double)view->width * (double)view->height;
     cost->counts[ZR_COST_LENS_PIXEL] += pixels;
-    cost->window_bytes += pixels * (bytes_of_channels(view) + (double)sizeof(struct zr_remap_place));
+    cost->window_bytes += pixels * (zr_cost_channel_bytes(view) + (double)sizeof(struct zr_remap_place));
 }
 
 /* Geometry and fragments are those of `drawn`, with the view `resolved`; outputs are those of `scene`. With a lens,
@@ -486,20 +300,20 @@ static void add_lens(const struct zr_view *view, struct zr_cost *cost)
 static struct zr_cost cost_of(const struct zr_scene *scene, const struct zr_scene *drawn,
                               const struct zr_resolved_view *resolved)
 {
-    const struct passes passes = passes_of(drawn, resolved);
+    const struct zr_cost_passes passes = zr_cost_passes_of(drawn, resolved);
     const struct zr_view *view = &drawn->views[0];
     struct zr_cost cost = {.counts = {[ZR_COST_REQUEST] = 1.0}, .lamp_maps = passes.lamp_maps};
     const struct zr_cost_sample sample = zr_cost_sample_of(drawn, resolved);
     cost.window_bytes =
-        window_bytes(drawn, &passes, sample.kept * (passes.samples > 0.0 ? passes.side * passes.side : 1.0),
-                     sample.scale * sample.fragments);
+        zr_cost_window_bytes(drawn, &passes, sample.kept * (passes.samples > 0.0 ? passes.side * passes.side : 1.0),
+                             sample.scale * sample.fragments);
     count_geometry(drawn, &passes, cost.counts);
     count_outputs(scene, (double)view->width * (double)view->height, cost.counts);
     count_fragments(&sample, &passes, cost.counts);
     if (drawn != scene && !scene->is_undrawn) add_lens(&scene->views[0], &cost);
     for (int kind = 0; kind < ZR_COST_KINDS; kind++)
         cost.ms += 1e-6 * cost.counts[kind] * ROWS[kind].ns;
-    cost.lamp_map_bytes = bytes_of_lamp_maps(passes.lamp_maps);
+    cost.lamp_map_bytes = zr_cost_lamp_map_bytes(passes.lamp_maps);
     return cost;
 }
 

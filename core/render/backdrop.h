@@ -1,4 +1,4 @@
-/* backdrop.h - render: makes the picture that is seen through glass (shade/lights/backdrop.h), from the light of the
+/* backdrop.h - render: makes the picture that glass refracts (shade/lights/backdrop.h), from the light of the
  * other surfaces. */
 #ifndef ZR_RENDER_BACKDROP_H
 #define ZR_RENDER_BACKDROP_H

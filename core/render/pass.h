@@ -7,7 +7,7 @@
 #define ZR_PASS_H
 
 #include "base/run.h"
-#include "render/layers.h"
+#include "render/layers/layers.h"
 #include "render/tiles.h"
 
 struct zr_pass {

@@ -5,8 +5,8 @@
 
 #include "base/rgba.h"
 #include "base/run.h"
-#include "render/layer_surfaces.h"
-#include "render/layers.h"
+#include "render/layers/layer_surfaces.h"
+#include "render/layers/layers.h"
 #include "scene/channels.h"
 #include "shade/models/xray.h"
 #include "shade/paint.h"
@@ -308,7 +308,7 @@ static void light_surfaces(const struct drawing *d, uint32_t number, const struc
     if (d->stages->edges) mark_edges(d, number, tile, room);
 }
 
-/* What is blended over a tile: its samples' layers, or the surfaces of its pixels, or neither. */
+/* Blended primitives over a tile: layers of its samples, or surfaces of its pixels, or neither. */
 struct blended {
     struct zr_layers *layers;
     struct zr_layer_surfaces *surfaces;

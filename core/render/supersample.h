@@ -36,7 +36,7 @@ struct zr_sample_stages {
     const struct zr_linear_lighting *lighting;
     const struct zr_occlusion_map *occlusion; /* or NULL */
     struct zr_edge_marks *edges;              /* or NULL */
-    const struct zr_surface_rule *surfaces;   /* of 16 samples a pixel; NULL: each sample is lit */
+    const struct zr_surface_rule *surfaces;   /* of 16 samples per pixel; NULL: each sample is lit */
     bool has_xrays;                           /* true if a material has the shading xray, or is glass */
     enum zr_glass_step glass;
     struct zr_linear_frame *out;

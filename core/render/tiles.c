@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/run.h"
-#include "render/layers.h"
+#include "render/layers/layers.h"
 #include "render/resolve.h"
 
 /* Tiles per claim. A claim waits for all earlier stores, so claims of single tiles take longer (3 % of the bunny at

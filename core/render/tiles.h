@@ -3,7 +3,7 @@
 #define ZR_TILES_H
 
 #include "base/run.h"
-#include "render/tile_source.h"
+#include "render/layers/tile_source.h"
 #include "shade/frame.h"
 
 /* Finds the opaque and masked surfaces of tile `number`, ready for shading. One thread per tile. Returns false if

@@ -109,7 +109,7 @@ static inline bool zr_material_is_glass(const struct zr_material *material)
            material->alpha_mode != ZR_ALPHA_MASK;
 }
 
-/* True if what is seen through the surface is bent or blurred. */
+/* True if the surface refracts or blurs the picture behind it. */
 static inline bool zr_material_refracts(const struct zr_material *material)
 {
     return zr_material_is_glass(material) && (material->finish.thickness > 0.0f || material->roughness > 0.0f);

@@ -8,7 +8,7 @@
 /* Samples, linear light and each effect, on 1 and 2 threads: "theirs" is ours without, in the same run. */
 void looks_against_plain(struct bench *bench);
 
-/* 16 samples a pixel, on 1 and 2 threads, against llvmpipe's picture of 4x4 the size, read back and averaged
+/* 16 samples per pixel, on 1 and 2 threads, against llvmpipe's picture of 4x4 the size, read back and averaged
  * by as many threads, after the bytes of both were compared. */
 void looks_against_llvmpipe(struct bench *bench);
 

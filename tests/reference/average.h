@@ -1,4 +1,4 @@
-/* average.h - reference: pictures of several samples a pixel, as bytes: by definition the picture of `side` times the
+/* average.h - reference: pictures of several samples per pixel, as bytes: by definition the picture of `side` times the
  * size, and of each square of side x side pixels the integer average, half up; of colours by their opacity.
  */
 #ifndef ZR_TEST_AVERAGE_H

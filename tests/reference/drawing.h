@@ -20,7 +20,7 @@ struct drawing {
     bool smooth;       /* compare colours per vertex; else each face has one colour, that of its number, */
     bool first_corner; /* or that of its first corner */
     bool failed;
-    uint32_t side;    /* samples a pixel are side x side */
+    uint32_t side;    /* samples per pixel are side x side */
     float line_width; /* pixels */
     zr_mat4 modelview, projection;
 

@@ -116,7 +116,7 @@ static bool draw_layers(struct harness *harness, const struct zr_scene *scene, c
     return true;
 }
 
-/* Of several samples a pixel, as bytes. */
+/* Of several samples per pixel, as bytes. */
 static bool draw_average(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
                          const struct batches_options *options)
 {

@@ -17,6 +17,13 @@ static float clamp_key(struct zr_gltf *file, const struct zr_json_path *path, co
     return (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, key), value, 0.0, 1.0);
 }
 
+static zr_vec3 clamp_color(struct zr_gltf *file, const struct zr_json_path *path, const char *key,
+                           const double color[3])
+{
+    return (zr_vec3){clamp_key(file, path, key, color[0]), clamp_key(file, path, key, color[1]),
+                     clamp_key(file, path, key, color[2])};
+}
+
 /* Reads a texture of the extension at `path`. text: NULL if the file gives none. */
 static void read_texture(struct zr_gltf *file, const struct zr_json_path *path, const char *text,
                          enum zr_texture_slot slot, struct zr_parsed_material *out)
@@ -81,9 +88,7 @@ static void read_sheen(struct zr_gltf *file, const struct zr_json_path *path, co
 {
     struct given_sheen given = {{0, 0, 0}, 0, NULL, NULL};
     zr_gltf_fields_at(file, text, path, &sheen_object, &given);
-    out->finish.sheen = (zr_vec3){clamp_key(file, path, "sheenColorFactor", given.color[0]),
-                                  clamp_key(file, path, "sheenColorFactor", given.color[1]),
-                                  clamp_key(file, path, "sheenColorFactor", given.color[2])};
+    out->finish.sheen = clamp_color(file, path, "sheenColorFactor", given.color);
     out->finish.sheen_roughness = clamp_key(file, path, "sheenRoughnessFactor", given.roughness);
     out->keys |= UINT64_C(1) << ZR_MATERIAL_SHEEN | UINT64_C(1) << ZR_MATERIAL_SHEEN_ROUGHNESS;
     if (!zr_finish_has_sheen(&out->finish)) return;
@@ -206,9 +211,7 @@ static void read_volume(struct zr_gltf *file, const struct zr_json_path *path, c
     zr_gltf_fields_at(file, text, path, &volume_object, &given);
     finish->thickness =
         (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "thicknessFactor"), given.thickness, 0.0, ZR_VOLUME_MAX);
-    finish->attenuation = (zr_vec3){clamp_key(file, path, "attenuationColor", given.color[0]),
-                                    clamp_key(file, path, "attenuationColor", given.color[1]),
-                                    clamp_key(file, path, "attenuationColor", given.color[2])};
+    finish->attenuation = clamp_color(file, path, "attenuationColor", given.color);
     finish->distance =
         (float)zr_gltf_clamp(file, ZR_JSON_KEY(path, "attenuationDistance"), given.distance, 0.0, DBL_MAX);
     if (!(finish->distance <= (float)ZR_VOLUME_MAX)) finish->distance = 0.0f;

@@ -76,7 +76,11 @@ enum zr_material_key {
     ZR_MATERIAL_ATTENUATION_COLOR,
     ZR_MATERIAL_ATTENUATION_DISTANCE,
     ZR_MATERIAL_DISPERSION,
-    ZR_MATERIAL_BASE_COLOR_TEXTURE
+    ZR_MATERIAL_BASE_COLOR_TEXTURE,
+
+    /* Keys of struct zr_finish and its textures. */
+    ZR_MATERIAL_FINISH_FIRST = ZR_MATERIAL_COAT,
+    ZR_MATERIAL_FINISH_LAST = ZR_MATERIAL_DISPERSION
 };
 
 /* A material of the scene, as read. */

@@ -1,12 +1,11 @@
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/rgba.h"
-#include "base/trig.h"
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
+#include "input/scene/resolved_material.h"
 #include "input/text/names.h"
 #include "input/text/nearest.h"
 #include "input/text/parameter_names.h"
@@ -221,125 +220,6 @@ size_t zr_parsed_find_material(struct zr_parsed_scene *root, const struct zr_jso
     return root->material_count;
 }
 
-/* ---- resolved materials ---- */
-
-static zr_vec3 rgb(zr_vec4 color)
-{
-    return (zr_vec3){color.x, color.y, color.z};
-}
-
-/* Source: KHR_materials_ior and KHR_materials_specular. */
-static void put_reflectance(const struct zr_parsed_material *given, struct zr_material *material)
-{
-    const bool has_ior = zr_json_gives(given->keys, ZR_MATERIAL_IOR),
-               has_factor = zr_json_gives(given->keys, ZR_MATERIAL_SPECULAR_FACTOR),
-               has_color = zr_json_gives(given->keys, ZR_MATERIAL_SPECULAR_COLOR);
-    if (!has_ior && !has_factor && !has_color) return;
-    const double ior = has_ior ? (double)given->ior : 1.5, root = (ior - 1.0) / (ior + 1.0), of_ior = root * root;
-    const double factor = has_factor ? (double)given->specular_factor : 1.0;
-    const zr_vec3 color = has_color ? given->specular_color : (zr_vec3){1, 1, 1};
-    material->reflectance = (zr_vec3){(float)(factor * fmin(of_ior * (double)color.x, 1.0)),
-                                      (float)(factor * fmin(of_ior * (double)color.y, 1.0)),
-                                      (float)(factor * fmin(of_ior * (double)color.z, 1.0))};
-    material->grazing = (float)factor;
-}
-
-/* A given texture replaces the factor 0 by 1, unless the factor is given. */
-static void put_factors(const struct zr_parsed_material *given, struct zr_finish *finish)
-{
-    const struct {
-        int texture, key; /* of enum zr_material_key */
-        float *factor;
-    } factors[] = {{ZR_MATERIAL_COAT_TEXTURE, ZR_MATERIAL_COAT, &finish->coat},
-                   {ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE, ZR_MATERIAL_COAT_ROUGHNESS, &finish->coat_roughness},
-                   {ZR_MATERIAL_FILM_TEXTURE, ZR_MATERIAL_FILM, &finish->film},
-                   {ZR_MATERIAL_ANISOTROPY_TEXTURE, ZR_MATERIAL_ANISOTROPY, &finish->anisotropy},
-                   {ZR_MATERIAL_TRANSMISSION_TEXTURE, ZR_MATERIAL_TRANSMISSION, &finish->transmission},
-                   {ZR_MATERIAL_THICKNESS_TEXTURE, ZR_MATERIAL_THICKNESS, &finish->thickness}};
-    for (size_t i = 0; i < sizeof factors / sizeof *factors; i++)
-        if (zr_json_gives(given->keys, factors[i].texture) && !zr_json_gives(given->keys, factors[i].key))
-            *factors[i].factor = 1.0f;
-    if (zr_json_gives(given->keys, ZR_MATERIAL_SHEEN_TEXTURE) && !zr_json_gives(given->keys, ZR_MATERIAL_SHEEN))
-        finish->sheen = (zr_vec3){1, 1, 1};
-}
-
-/* A film of thickness 0 is none. */
-static void put_film(const struct zr_parsed_material *given, struct zr_finish *finish)
-{
-    const bool has_texture = given->textures[ZR_TEXTURE_FILM_THICKNESS].number > 0;
-    if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_IOR)) finish->film_ior = 1.3f;
-    if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_THICKNESS)) finish->film_nm = 400.0f;
-    if (!has_texture)
-        finish->film_thinnest = 0.0f;
-    else if (!zr_json_gives(given->keys, ZR_MATERIAL_FILM_THINNEST))
-        finish->film_thinnest = 100.0f;
-    if (finish->film > 0.0f && (finish->film_nm > 0.0f || finish->film_thinnest > 0.0f)) return;
-    finish->film = finish->film_ior = finish->film_nm = finish->film_thinnest = 0.0f;
-}
-
-static void put_anisotropy(const struct zr_parsed_material *given, struct zr_finish *finish)
-{
-    double sine, cosine;
-    if (!(finish->anisotropy > 0.0f)) return;
-    zr_sine_cosine(given->anisotropy_rotation * 57.295779513082321, &sine, &cosine);
-    finish->along[0] = (float)cosine;
-    finish->along[1] = (float)sine;
-}
-
-/* Sets the values of glass; materials without transmission have none. */
-static void put_glass(const struct zr_parsed_material *given, struct zr_finish *finish)
-{
-    finish->ior = zr_json_gives(given->keys, ZR_MATERIAL_IOR) ? given->ior : 1.5f;
-    if (!zr_json_gives(given->keys, ZR_MATERIAL_ATTENUATION_COLOR)) finish->attenuation = (zr_vec3){1, 1, 1};
-    if (finish->transmission > 0.0f) return;
-    finish->ior = finish->thickness = finish->distance = finish->dispersion = 0.0f;
-    finish->attenuation = (zr_vec3){0, 0, 0};
-}
-
-/* The material's keys override the look's values. */
-static void put_values(const struct zr_parsed_material *given, struct zr_material *material)
-{
-    if (zr_json_gives(given->keys, ZR_MATERIAL_SPECULAR)) material->specular = rgb(given->specular);
-    if (zr_json_gives(given->keys, ZR_MATERIAL_SHININESS)) material->shininess = given->shininess;
-    if (zr_json_gives(given->keys, ZR_MATERIAL_METALLIC)) material->metallic = given->metallic;
-    if (zr_json_gives(given->keys, ZR_MATERIAL_ROUGHNESS)) material->roughness = given->roughness;
-    if (zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE)) material->emissive = given->emissive;
-    put_reflectance(given, material);
-    material->finish = given->finish;
-    put_factors(given, &material->finish);
-    put_film(given, &material->finish);
-    put_anisotropy(given, &material->finish);
-    put_glass(given, &material->finish);
-    if (zr_json_gives(given->keys, ZR_MATERIAL_COOL)) material->cool = rgb(given->cool);
-}
-
-/* A given texture replaces the look's factor by 1, unless the factor is given. */
-static void put_textures(const struct zr_parsed_material *given, struct zr_material *material)
-{
-    for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
-        material->textures[slot] = given->textures[slot].number;
-    material->is_alpha_only = given->is_alpha_only;
-    material->normal_scale = given->textures[ZR_TEXTURE_NORMAL].strength;
-    material->coat_normal_scale = given->textures[ZR_TEXTURE_COAT_NORMAL].strength;
-    material->occlusion_strength = given->textures[ZR_TEXTURE_OCCLUSION].strength;
-    if (zr_json_gives(given->keys, ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE)) {
-        if (!zr_json_gives(given->keys, ZR_MATERIAL_METALLIC)) material->metallic = 1.0f;
-        if (!zr_json_gives(given->keys, ZR_MATERIAL_ROUGHNESS)) material->roughness = 1.0f;
-    }
-    if (zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE_TEXTURE) && !zr_json_gives(given->keys, ZR_MATERIAL_EMISSIVE))
-        material->emissive = (zr_vec3){1, 1, 1};
-}
-
-/* Leaves only the base colour of a material, with the numbers of its file; white without a given material. */
-static void leave_base_color(const struct zr_parsed_material *given, struct zr_material *material)
-{
-    const zr_vec3 color = given ? given->linear_color : (zr_vec3){1, 1, 1};
-    if (!given || given->has_linear_color)
-        material->base_color = (zr_vec4){color.x, color.y, color.z, material->base_color.w};
-    material->emissive = (zr_vec3){0, 0, 0};
-    material->textures[ZR_TEXTURE_BASE_COLOR] = material->textures[ZR_TEXTURE_EMISSIVE] = 0;
-}
-
 /* ---- oddities ---- */
 
 /* Returns the shadings that use a key, one bit each; 0: all draws use it, lines too. */
@@ -347,6 +227,7 @@ static uint32_t shadings_of(int key)
 {
     const uint32_t by_nothing = zr_shadings_lit(ZR_SHADED_BY_NOTHING),
                    by_normals = zr_shadings_lit(ZR_SHADED_BY_NORMALS);
+    if (key >= ZR_MATERIAL_FINISH_FIRST && key <= ZR_MATERIAL_FINISH_LAST) return zr_shadings_lit(ZR_SHADED_PHYSICALLY);
     switch (key) {
     case ZR_MATERIAL_SPECULAR:
     case ZR_MATERIAL_SHININESS:
@@ -359,30 +240,6 @@ static uint32_t shadings_of(int key)
     case ZR_MATERIAL_EMISSIVE:
     case ZR_MATERIAL_METALLIC_ROUGHNESS_TEXTURE:
     case ZR_MATERIAL_EMISSIVE_TEXTURE:
-    case ZR_MATERIAL_COAT:
-    case ZR_MATERIAL_COAT_ROUGHNESS:
-    case ZR_MATERIAL_COAT_TEXTURE:
-    case ZR_MATERIAL_COAT_ROUGHNESS_TEXTURE:
-    case ZR_MATERIAL_COAT_NORMAL_TEXTURE:
-    case ZR_MATERIAL_SHEEN:
-    case ZR_MATERIAL_SHEEN_ROUGHNESS:
-    case ZR_MATERIAL_SHEEN_TEXTURE:
-    case ZR_MATERIAL_FILM:
-    case ZR_MATERIAL_FILM_IOR:
-    case ZR_MATERIAL_FILM_THICKNESS:
-    case ZR_MATERIAL_FILM_THINNEST:
-    case ZR_MATERIAL_FILM_TEXTURE:
-    case ZR_MATERIAL_FILM_THICKNESS_TEXTURE:
-    case ZR_MATERIAL_ANISOTROPY:
-    case ZR_MATERIAL_ANISOTROPY_ROTATION:
-    case ZR_MATERIAL_ANISOTROPY_TEXTURE:
-    case ZR_MATERIAL_TRANSMISSION:
-    case ZR_MATERIAL_TRANSMISSION_TEXTURE:
-    case ZR_MATERIAL_THICKNESS:
-    case ZR_MATERIAL_THICKNESS_TEXTURE:
-    case ZR_MATERIAL_ATTENUATION_COLOR:
-    case ZR_MATERIAL_ATTENUATION_DISTANCE:
-    case ZR_MATERIAL_DISPERSION:
         return zr_shadings_lit(ZR_SHADED_PHYSICALLY);
     case ZR_MATERIAL_COOL:
         return zr_shadings_lit(ZR_SHADED_BY_OWN_LAMP);
@@ -531,9 +388,9 @@ uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_s
     if (faces.double_sided == ZR_UNSET) faces.double_sided = style->is_open;
     struct zr_material material =
         zr_face_style_material(&faces, look, has_color ? given->base_color : none.base_color, smooth);
-    put_values(given, &material);
-    put_textures(given, &material);
-    if (root->scene->parts.colors == ZR_COLORS_MATERIALS) leave_base_color(has_given ? given : NULL, &material);
+    zr_resolved_material_put(given, &material);
+    if (root->scene->parts.colors == ZR_COLORS_MATERIALS)
+        zr_resolved_material_leave_color(has_given ? given : NULL, &material);
     note_oddities(root, style, &faces, &material);
     if (has_given) note_use(&root->materials[style->material], style, &material);
     if (faces.shading != ZR_UNSET && zr_shading_is_linear((enum zr_shading)faces.shading) && !root->linear_key)

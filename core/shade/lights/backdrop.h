@@ -1,4 +1,4 @@
-/* backdrop.h - shade: what is seen through glass: the picture of the other surfaces, ready to be looked up.
+/* backdrop.h - shade: the picture behind glass: that of the other surfaces, with levels for look-ups.
  *
  * Levels: level 0 has the pixels of the picture, each further one half of their number along both sides, rounded up.
  *         Texels have four floats: linear red, green and blue as they are shown, and an unused one. Row 0 is the

@@ -130,7 +130,7 @@ static inline struct zr_vec3_v zr_glass_share_v(const struct zr_backdrop *backdr
     return zr_scale_v(zr_mul_v(s->base, left), passing);
 }
 
-/* Adds the light that is seen through glass to light as it is shown. */
+/* Adds light that passes through glass to tone-mapped light. */
 static inline struct zr_vec3_v zr_with_backdrop_v(const struct zr_backdrop *backdrop,
                                                   const struct zr_material *material, uint32_t number,
                                                   const struct zr_shading_v *s, struct zr_vec3_v light)

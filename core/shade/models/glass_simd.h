@@ -35,7 +35,7 @@ static inline float zr_power_of(const struct zr_linear_lighting *lighting, uint3
     return lighting->backdrop ? lighting->backdrop->power[material] : 0.0f;
 }
 
-/* True if what is seen through the material comes from the backdrop. */
+/* True if the light behind the material is looked up in the backdrop. */
 static inline bool zr_has_backdrop(const struct zr_linear_lighting *lighting, const struct zr_material *material)
 {
     return lighting->backdrop && lighting->backdrop->texels && zr_material_refracts(material);

@@ -7,7 +7,7 @@
  *
  * x is that of the normal once turned towards the eye: walls that face left are denser, so that sides of a part differ.
  * Several layers transmit the product of all 1 - a, in any order. If all have one colour, the picture is that colour
- * mixed with the background by the product. Several colours are blended like other layers (render/layers.h).
+ * mixed with the background by the product. Several colours are blended like other layers (render/layers/layers.h).
  */
 #ifndef ZR_XRAY_H
 #define ZR_XRAY_H

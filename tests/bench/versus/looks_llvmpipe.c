@@ -1,4 +1,4 @@
-/* 16 samples a pixel against llvmpipe's picture of 4x4 the size, read back and averaged: the same bytes. */
+/* 16 samples per pixel against llvmpipe's picture of 4x4 the size, read back and averaged: the same bytes. */
 #include <stdlib.h>
 #include <string.h>
 

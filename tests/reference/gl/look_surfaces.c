@@ -173,7 +173,7 @@ static void spread(const struct points *points, size_t count, const float *light
         memcpy(samples + 4 * i, points->of[i] == UINT32_MAX ? none : light + 4 * (size_t)points->of[i], sizeof none);
 }
 
-/* Draws the surfaces of all batches, of which the nearest is seen. */
+/* Draws the surfaces of all batches; the nearest one remains. */
 static bool draw_seen(const struct look_twin *twin, const struct zr_scene *large, const struct reference_arrays *arrays,
                       float *samples, uint8_t *gaps, struct reference_error *error)
 {
@@ -210,8 +210,23 @@ static void blend(const float *over, size_t count, float *samples)
     }
 }
 
-/* Surfaces that are as opaque as this have the mean of the opacities at their samples. */
+/* Surfaces that are as opaque as this have the mean of the opacities of their samples. */
 static const float steep = 0.35f, undecided = 1e-4f;
+
+/* Returns the sample, counted from that of the upper left, whose opacity a quarter of the pixel has: the first covered
+ * one of its four. Rows of quarters are from below: the first one's samples are (1, 0), (1, 1), (0, 1) and (0, 0), and
+ * the others' are turned by quarter turns. -1: none is covered. */
+static int sample_of_quarter(uint32_t width, uint32_t corner, const float *over, uint32_t quarter)
+{
+    static const int turn[4][2] = {{1, 0}, {1, 1}, {0, 1}, {0, 0}};
+    static const int first[4] = {0, 1, 3, 2};
+    for (int k = 0; k < 4; k++) {
+        const int *at = turn[(first[quarter] + k) % 4];
+        const uint32_t x = quarter % 2 * 2 + (uint32_t)at[0], y = SIDE - 1 - (quarter / 2 * 2 + (uint32_t)at[1]);
+        if (over[4 * (size_t)(corner + y * width + x) + 3] > 0.0f) return (int)(y * width + x);
+    }
+    return -1;
+}
 
 /* `corner`: the upper left sample of a pixel. `own`: light of each sample. */
 static void mean_in_pixel(uint32_t width, uint32_t corner, const float *own, float *over, uint8_t *gaps)
@@ -219,11 +234,13 @@ static void mean_in_pixel(uint32_t width, uint32_t corner, const float *own, flo
     double sum = 0.0;
     int covered = 0;
     for (uint32_t k = 0; k < SAMPLES; k++) {
-        const size_t at = corner + k / SIDE * width + k % SIDE;
+        const uint32_t row = k / SIDE, column = k % SIDE;
+        const size_t at = corner + row * width + column;
         if (over[4 * at + 3] == 0.0f) continue;
         if (fabsf(over[4 * at + 3] - steep) < undecided) gaps[corner] = 1;
         if (over[4 * at + 3] <= steep) return;
-        sum += (double)own[4 * at + 3];
+        const uint32_t quarter = (SIDE - 1 - row) / 2 * 2 + column / 2;
+        sum += (double)own[4 * (corner + (size_t)sample_of_quarter(width, corner, over, quarter)) + 3];
         covered++;
     }
     for (uint32_t k = 0; k < SAMPLES && covered > 0; k++) {

@@ -20,7 +20,7 @@ enum { LOOK_TWIN_UNDECIDED_MAX = 2, LOOK_TWIN_PIXELS_PER_UNDECIDED = 20000 };
 /* Largest difference in steps of 255, by rounding of floats. Most such pixels: MAX, and one in PIXELS_PER_NEAR more. */
 enum { LOOK_TWIN_SLACK = 1, LOOK_TWIN_NEAR_MAX = 4, LOOK_TWIN_PIXELS_PER_NEAR = 20000 };
 
-/* What of the scene's picture has no twin, for people; NULL: its colours can be compared. */
+/* Names the part of the scene's picture that has no twin; NULL: its colours can be compared. */
 const char *look_twin_lacks(const struct zr_scene *scene);
 
 /* look_program.c: the GLSL, which lights samples, or surfaces of given values; or tells values of samples. */
@@ -33,7 +33,7 @@ unsigned look_program(struct look_programs *programs, enum look_program which, s
 /* The first with `fixed` of struct reference instead of uniforms; the caller deletes it. */
 unsigned look_program_fixed(const char *fixed, struct reference_error *error);
 
-/* What is drawn, and where to. */
+/* A picture to draw. */
 struct look_twin {
     struct reference *reference;
     struct zr_arena *arena;
@@ -47,7 +47,7 @@ struct look_twin {
 /* To rgba, row 0 on top, as the channel color has it; gaps[pixel] is set where a sample of it is one. */
 bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error);
 
-/* All that it has as uniforms of the whole picture. They stand until the next call. */
+/* Values of a whole picture, as uniforms. They are valid until the next call. */
 enum { LOOK_UNIFORMS = 20 };
 const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin);
 

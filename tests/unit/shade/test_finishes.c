@@ -329,7 +329,7 @@ static void fill_backdrop(float r, float g, float b)
 static const struct zr_material clear = {
     .finish = {.transmission = 1, .ior = 1.5f, .thickness = 1, .attenuation = {1, 1, 1}}, ZR_MATERIAL_PLASTIC};
 
-/* Whatever the roughness, and whatever passes, light of 0.5 from all around stays. */
+/* Light of 0.5 from all around stays 0.5 for every roughness and transmission. */
 TEST_EACH_ISA(glass_over_a_backdrop_loses_and_adds_no_light)
 {
     struct zr_linear_lighting lighting = from_the_front(0.5f);

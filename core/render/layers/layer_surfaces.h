@@ -1,10 +1,12 @@
-/* layer_surfaces.h - render: blended primitives of a tile with 16 samples a pixel, each lit once in each pixel.
+/* layer_surfaces.h - render: blended primitives of a tile with 16 samples per pixel, each lit once in each pixel.
  *
- * A surface is what a primitive covers of a pixel: a mask of samples. It is lit at their middle, without occlusion.
- * X-rays and glass change their opacity quickly where they are seen edge-on: an opacity above 0.35 is the mean of those
- * at the samples. Surfaces of a pixel are ordered by the depths of their samples nearest to its middle. At equal depth,
- * the earlier primitive is in front. Each is laid over its samples, from the farthest to the nearest. Where two cross
- * within a pixel of at most 64 surfaces, by more than 1e-6 of depth, each sample has an order of its own.
+ * A surface is the part of a pixel that a primitive covers: a mask of samples. It is lit at their middle, without
+ * occlusion.
+ * X-rays and glass change their opacity quickly at grazing angles. An opacity above 0.35 is the mean over the samples,
+ * of which those in a quarter of the pixel have the opacity of one. Surfaces of a pixel are ordered by the depths of
+ * their samples nearest to its middle. At equal depth, the earlier primitive is in front. Each is laid over its samples,
+ * from the farthest to the nearest. If two cross within a pixel of at most 64 surfaces, by more than 1e-6 of depth, each
+ * sample has an order of its own.
  * Exact:  + - * / in one order: every instruction set and thread count gives the same bytes.
  * Source: Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", 1984.
  */
@@ -14,7 +16,7 @@
 #include "base/cancel.h"
 #include "base/isa.h"
 #include "effects/surfaces.h"
-#include "render/layers.h"
+#include "render/layers/layers.h"
 #include "shade/lights/lighting.h"
 
 struct zr_layer_surface {
@@ -35,7 +37,7 @@ struct zr_layer_surfaces {
     uint32_t first[ZR_SURFACES_PIXELS + 1]; /* of a pixel, in `order` */
 };
 
-/* What lights them. */
+/* Light of surfaces, and rules of opacity. */
 struct zr_layer_light {
     const struct zr_tile_source *tiles;
     const struct zr_linear_lighting *lighting;

@@ -1,4 +1,4 @@
-#include "render/layer_surfaces.h"
+#include "render/layers/layer_surfaces.h"
 
 #include <string.h>
 
@@ -50,7 +50,7 @@ struct marking {
     _Alignas(64) float depths[ZR_LAYER_FLOATS];
 };
 
-/* Ensures room for more surfaces. What is given up is no larger than what is taken. */
+/* Ensures room for more surfaces. The array that is given up is no larger than the one that is taken. */
 static bool make_room(struct zr_layers_pool *pool, uint32_t more, struct zr_layer_surfaces *s)
 {
     uint32_t room = s->room ? s->room : ROOM_AT_FIRST;
@@ -304,20 +304,35 @@ static void light_listed(const struct zr_layer_light *light, const struct zr_til
 /* Surfaces that are as opaque as this are nearly edge-on, where opacity can change much within a pixel. */
 #define STEEP 0.35f
 
-enum { STEEP_LISTED = ZR_SAMPLES_LISTED / SAMPLES };
+enum { QUARTERS = 4, STEEP_LISTED = ZR_SAMPLES_LISTED / QUARTERS };
 
-/* Lists each sample of a surface. */
-static void list_samples(const struct zr_tile *tile, const struct zr_layer_surface *s, struct zr_sample_list *list)
+/* Samples of each quarter of a pixel. The first of all four lie in different rows and columns. */
+static const uint8_t quarters[QUARTERS][SAMPLES / QUARTERS] = {
+    {1, 5, 4, 0}, {7, 6, 2, 3}, {8, 9, 13, 12}, {14, 10, 11, 15}};
+
+/* Returns the samples of a mask in a quarter of the pixel. */
+static uint32_t in_quarter(uint32_t mask, int quarter)
 {
-    for (uint32_t left = s->mask; left; left &= left - 1) {
-        const uint32_t sample = (uint32_t)__builtin_ctz(left), i = list->count++;
-        list->x[i] = (float)(tile->x + s->pixel % COLUMNS * SIDE + (int32_t)sample % SIDE);
-        list->y[i] = (float)(tile->y + s->pixel / COLUMNS * SIDE + (int32_t)sample / SIDE);
+    static const uint32_t of[QUARTERS] = {0x0033, 0x00CC, 0x3300, 0xCC00};
+    return mask & of[quarter];
+}
+
+/* Lists a sample of each quarter that the surface covers: the first of it in the mask. */
+static void list_quarters(const struct zr_tile *tile, const struct zr_layer_surface *s, struct zr_sample_list *list)
+{
+    for (int q = 0; q < QUARTERS; q++) {
+        if (in_quarter(s->mask, q) == 0) continue;
+        const uint8_t *at = quarters[q];
+        while (!(s->mask >> *at & 1u))
+            at++;
+        const uint32_t i = list->count++;
+        list->x[i] = (float)(tile->x + s->pixel % COLUMNS * SIDE + *at % SIDE);
+        list->y[i] = (float)(tile->y + s->pixel / COLUMNS * SIDE + *at / SIDE);
         list->owner[i] = s->owner;
     }
 }
 
-/* Gives the listed surfaces the means of the opacities at their samples. */
+/* Gives the listed surfaces the means of the opacities of their samples; those of a quarter have one opacity. */
 static void put_means(const struct zr_layer_light *light, struct zr_surfaces *list, struct zr_sample_room *room,
                       struct zr_layer_surface *const *listed, uint32_t count)
 {
@@ -328,11 +343,12 @@ static void put_means(const struct zr_layer_light *light, struct zr_surfaces *li
     zr_samples_at_of(tiles->isa)(tiles->geometry, tiles->attributes, &list->list, room, &values);
     zr_xray_of(tiles->isa)(light->lighting, &values, opacity);
     for (uint32_t i = 0; i < count; i++) {
-        const int samples = __builtin_popcount(listed[i]->mask);
         float sum = 0.0f;
-        for (int k = 0; k < samples; k++)
-            sum += *opacity++;
-        listed[i]->color[3] = sum / (float)samples;
+        for (int q = 0; q < QUARTERS; q++) {
+            const uint32_t samples = in_quarter(listed[i]->mask, q);
+            if (samples) sum += (float)__builtin_popcount(samples) * *opacity++;
+        }
+        listed[i]->color[3] = sum / (float)__builtin_popcount(listed[i]->mask);
     }
 }
 
@@ -345,7 +361,7 @@ static void light_steep(const struct zr_layer_light *light, const struct zr_tile
     for (uint32_t i = 0; i < surfaces->count && !zr_is_cancelled(cancel); i++) {
         if (surfaces->at[i].color[3] > ZR_MUTANT(steep_at_middle, STEEP, 2.0f)) {
             listed[count++] = &surfaces->at[i];
-            list_samples(tile, &surfaces->at[i], &list->list);
+            list_quarters(tile, &surfaces->at[i], &list->list);
         }
         if (count < STEEP_LISTED && (count == 0 || i + 1 < surfaces->count)) continue;
         put_means(light, list, room, listed, count);

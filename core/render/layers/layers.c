@@ -1,4 +1,4 @@
-#include "render/layers.h"
+#include "render/layers/layers.h"
 
 #include <string.h>
 

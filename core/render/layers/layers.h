@@ -10,7 +10,7 @@
 #define ZR_LAYERS_H
 
 #include "base/rgba.h"
-#include "render/tile_source.h"
+#include "render/layers/tile_source.h"
 #include "shade/paint.h"
 
 enum { ZR_LAYER_FLOATS = ZR_TILE_STRIDE * ZR_TILE_SIZE };

@@ -1,4 +1,4 @@
-#include "render/layer_surfaces.h"
+#include "render/layers/layer_surfaces.h"
 
 #include "base/simd/simd.h"
 
