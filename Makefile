@@ -534,6 +534,12 @@ bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600
 	@/usr/bin/python3 tests/bench/rivals/sections.py $(BUILD) $(addprefix $(DATA)/models/,parts/housing.obj fandisk.obj spot.obj)
 	@xvfb-run -a /usr/bin/python3 tests/bench/rivals/loading.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
 
+.PHONY: bench-large
+bench-large: ## models of millions of triangles and points: processor time and memory of a process, beside F3D, which it installs; ROWS="stl-10M:studio cloud-5M:studio", GROWTH=1: from 1000 to 10 million triangles in five looks
+	@.ci/need $(NEED_COMMAND) f3d=f3d xvfb-run=xvfb xauth=xauth /usr/lib/python3/dist-packages/numpy=python3-numpy
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
+	@/usr/bin/python3 tests/bench/rivals/large.py $(BUILD) $(BUILD)/large $(if $(GROWTH),growth,$(ROWS))
+
 .PHONY: bench-views
 bench-views: ## 36 views in one request, beside VTK and three in Chromium, which it installs: MESH=../shared/data/models/stanford-bunny.obj, ROUNDS=9
 	@.ci/need $(NEED_BUILD) $(NEED_NODE) chromium=chromium xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9

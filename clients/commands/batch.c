@@ -178,12 +178,14 @@ int command_batch(struct options *options)
     if (status == 0) status = file_list_make(&batch.list, options);
     if (status == 0) status = resume_open(&batch.resume, options);
     const size_t count = count_threads(options);
-    if (status == 0) status = engine_open(&batch.engine, options, batch.list.count < 2 * count ? (unsigned)count : 1);
+    const size_t at_once = count < batch.list.count ? count : batch.list.count > 0 ? batch.list.count : 1;
+    if (status == 0)
+        status = engine_open(&batch.engine, options, batch.list.count < 2 * count ? (unsigned)count : 1, at_once);
     if (status != 0) return status;
     batch.progress = (struct progress){.total = batch.list.count, .began = job_clock()};
     batch.progress.is_shown = progress_is_wanted(options);
     if (options->own[OPTION_RESUME]) tables_open(); /* before threads share them */
-    run(&batch, count < batch.list.count ? count : batch.list.count);
+    run(&batch, at_once);
     status = summarize(&batch);
     for (size_t i = 0; i < batch.list.count; i++)
         job_free(&batch.list.jobs[i]);

@@ -147,7 +147,7 @@ int command_info(struct options *options)
     if (options->parameters[PARAMETER_channel]) return options_wrong("info has no --channel; leave it out");
     options->parameters[PARAMETER_channel] = "info";
     int status = input_check_type(options);
-    if (status == 0) status = engine_open(&engine, options, options_threads(options));
+    if (status == 0) status = engine_open(&engine, options, options_threads(options), 1);
     if (status != 0) return status;
     struct job job = {.target = output_target(options->files[0], "-"), .options = options};
     job_draw(&engine, &job, &answer);

@@ -284,7 +284,8 @@ static int serve(struct serving *serving)
 
 int command_mcp(struct options *options)
 {
-    const struct zraster_options wanted = {.struct_size = sizeof wanted, .threads = options_threads(options)};
+    const struct zraster_options wanted = {
+        .struct_size = sizeof wanted, .memory_max = engine_memory(options, 1), .threads = options_threads(options)};
     struct serving *serving = calloc(1, sizeof *serving);
     char *root = NULL;
     int status = STATUS_FAILED;

@@ -171,7 +171,7 @@ int command_watch(struct options *options)
     int status = input_check_type(options);
     if (status == 0 && access(path, R_OK) != 0) status = options_wrong("%s: there is no such file to watch", path);
     if (status == 0) status = check_parts(options);
-    if (status == 0) status = engine_open(&engine, options, options_threads(options));
+    if (status == 0) status = engine_open(&engine, options, options_threads(options), 1);
     if (status != 0) return status;
     struct watch watch;
     open_watch(&watch, options);

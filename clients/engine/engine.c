@@ -1,10 +1,12 @@
 #include "engine.h"
 
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "interruption.h"
+#include "options/memory.h"
 #include "options/query.h"
 #include "options/wording.h"
 #include "post.h"
@@ -14,12 +16,21 @@
 /* More than the default: a game's scene has tens of textures of 2048 x 2048, and the command serves one user. A texel
  * takes 4 bytes, and a third more for smaller levels. */
 #define IMAGE_PIXELS_MAX ((uint64_t)1 << 28)
-#define MEMORY_MAX       ((size_t)3 << 30)
 
-int engine_open(struct engine *engine, const struct options *options, unsigned threads)
+size_t engine_memory(const struct options *options, size_t at_once)
+{
+    const char *given = options->own[OPTION_MEMORY];
+    const size_t spare = zraster_spare_memory();
+    size_t bytes = 0;
+    if (!given && at_once == 1) return 0;
+    memory_read(given ? given : "75%", spare == SIZE_MAX ? (size_t)1 << 32 : spare, &bytes);
+    return bytes / at_once;
+}
+
+int engine_open(struct engine *engine, const struct options *options, unsigned threads, size_t at_once)
 {
     struct zraster_options wanted = {.struct_size = sizeof wanted,
-                                     .memory_max = MEMORY_MAX,
+                                     .memory_max = engine_memory(options, at_once),
                                      .threads = threads,
                                      .image_pixels_max = IMAGE_PIXELS_MAX};
     *engine = (struct engine){.server = options->own[OPTION_SERVER]};
@@ -74,10 +85,15 @@ zraster_status engine_draw_here(const struct engine *engine, const struct input 
 static void draw_here(const struct engine *engine, const struct input *input, const char *query, struct answer *answer)
 {
     zraster_error *error = NULL;
-    if (engine_draw_here(engine, input, query, &answer->picture, &answer->file, &error) == ZRASTER_OK)
+    const zraster_status status = engine_draw_here(engine, input, query, &answer->picture, &answer->file, &error);
+    if (status == ZRASTER_OK)
         take_picture(answer);
     else {
         bytes_print(&answer->faults, "%s", zraster_error_text(error));
+        if (status == ZRASTER_NO_MEMORY)
+            bytes_print(&answer->faults,
+                        "\n--memory allows more, such as 90%% of the %.1f GB that the system can spare",
+                        1e-9 * (double)zraster_spare_memory());
         answer_refuse(answer);
     }
     if (interrupted()) answer->status = STATUS_INTERRUPTED;

@@ -17,9 +17,13 @@ struct engine {
     void *progress_context;
 };
 
-/* Opens an engine for the options; `threads` share one picture (0: all processors). Returns 0, or the exit status of a
- * fault reported on stderr. From then on, SIGINT and SIGTERM cancel drawing (interruption.h). */
-int engine_open(struct engine *engine, const struct options *options, unsigned threads);
+/* Opens an engine for the options; `threads` share one picture (0: all processors), and `at_once` pictures share the
+ * memory. Returns 0, or the exit status of a fault reported on stderr. From then on, SIGINT and SIGTERM cancel drawing
+ * (interruption.h). */
+int engine_open(struct engine *engine, const struct options *options, unsigned threads, size_t at_once);
+
+/* Returns the bytes of --memory for each of the pictures that are drawn at once; 0: the default of the library. */
+size_t engine_memory(const struct options *options, size_t at_once);
 void engine_close(struct engine *engine);
 
 /* Draws in this process. The picture owns the bytes of `file`. The caller frees picture and error in every case; they

@@ -11,6 +11,7 @@
 #include "endings.h"
 #include "files/bytes.h"
 #include "files/say.h"
+#include "memory.h"
 #include "parameter_kinds.h"
 #include "parameters.h"
 #include "scene/encodings.h"
@@ -291,6 +292,12 @@ static int check_values(struct options *options)
         return options_wrong("--threads accepts a number from 1 to %d, not %s", THREADS_MAX, threads);
     if (most && (most[count_digits(most)] || !*most || strlen(most) > 18))
         return options_wrong("--max-file-bytes accepts a number of bytes, not %s", most);
+    size_t memory;
+    if (options->own[OPTION_MEMORY] && !memory_read(options->own[OPTION_MEMORY], (size_t)1 << 40, &memory))
+        return options_wrong(
+            "--memory accepts a size such as 8G or 512M, or a share of what the system can spare, such "
+            "as 50%%, not %s",
+            options->own[OPTION_MEMORY]);
     if (most) bytes_set_most(strtoull(most, NULL, 10));
     if (!server && getenv("ZRASTER_SERVER") && *getenv("ZRASTER_SERVER"))
         options->own[OPTION_SERVER] = getenv("ZRASTER_SERVER");

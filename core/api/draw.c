@@ -13,6 +13,7 @@
 struct drawing {
     zraster *renderer;
     const struct zr_kept *kept; /* NULL: the request has a scene of its own */
+    size_t kept_bytes;          /* of its arena */
     const struct zraster_request *request;
     struct zr_arena *arena;
 };
@@ -30,8 +31,9 @@ static enum zr_status read(const struct drawing *d, const struct zr_request *req
 static enum zr_status make(const struct drawing *d, struct zr_views *views, zraster_cancel *cancel,
                            zraster_picture **picture, struct zr_error *error)
 {
-    return views->set ? zr_picture_make_views(d->renderer, views, cancel, picture, error)
-                      : zr_picture_make(d->renderer, views->scene, cancel, picture, error);
+    return views->set
+               ? zr_picture_make_views(d->renderer, views, cancel, picture, error)
+               : zr_picture_make(d->renderer, views->scene, d->kept_bytes + d->arena->held, cancel, picture, error);
 }
 
 static enum zr_status run(const struct drawing *d, zraster_picture **picture, struct zr_error *error)
@@ -54,7 +56,7 @@ static zraster_status draw(struct drawing *d, zraster_picture **picture, zraster
     struct zr_error faults = {0};
     *picture = NULL;
     const locale_t before = zr_renderer_enter(d->renderer);
-    d->arena = zr_renderer_take(d->renderer, ZR_ARENA_SCRATCH);
+    d->arena = zr_renderer_take(d->renderer, ZR_ARENA_SCRATCH, d->kept_bytes);
     const enum zr_status status = d->arena ? run(d, picture, &faults) : ZR_NO_MEMORY;
     zr_renderer_give(d->renderer, d->arena, ZR_ARENA_SCRATCH);
     zr_renderer_leave(before);
@@ -71,6 +73,7 @@ zraster_status zraster_draw(zraster *renderer, const struct zraster_request *req
 zraster_status zraster_scene_draw(const zraster_scene *scene, const struct zraster_request *change,
                                   zraster_picture **picture, zraster_error **error)
 {
-    struct drawing drawing = {.renderer = scene->renderer, .kept = scene->kept, .request = change};
+    struct drawing drawing = {
+        .renderer = scene->renderer, .kept = scene->kept, .kept_bytes = scene->arena->held, .request = change};
     return draw(&drawing, picture, error);
 }

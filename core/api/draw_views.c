@@ -64,7 +64,7 @@ zraster_status zraster_draw_views(zraster *renderer, const struct zraster_reques
     struct zr_error faults = {0};
     struct taking taking = {.take = take, .context = context};
     const locale_t before = zr_renderer_enter(renderer);
-    struct zr_arena *arena = zr_renderer_take(renderer, ZR_ARENA_SCRATCH);
+    struct zr_arena *arena = zr_renderer_take(renderer, ZR_ARENA_SCRATCH, 0);
     const enum zr_status status = arena ? draw_all(renderer, arena, request, &taking, &faults) : ZR_NO_MEMORY;
     zr_renderer_give(renderer, arena, ZR_ARENA_SCRATCH);
     zr_renderer_leave(before);

@@ -32,10 +32,11 @@ static struct zr_run run_of(const zraster_picture *picture, struct zr_arena *are
     return (struct zr_run){arena, scratch, zr_renderer_team(picture->renderer), zr_cancel_flag(picture->cancel), error};
 }
 
-static enum zr_status draw(zraster_picture *picture, const struct zr_scene *scene, struct zr_error *error)
+static enum zr_status draw(zraster_picture *picture, const struct zr_scene *scene, size_t scene_bytes,
+                           struct zr_error *error)
 {
     const struct zr_frame *frame;
-    struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH);
+    struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH, scene_bytes);
     if (!scratch) return ZR_NO_MEMORY;
     const struct zr_run run = run_of(picture, picture->arena, scratch, error);
     enum zr_status status = zr_render_apart(&run, scene, NULL, &frame);
@@ -52,7 +53,7 @@ static zraster_picture *open_picture(zraster *renderer, zraster_cancel *cancel)
     if (!picture) return NULL;
     picture->renderer = zr_renderer_use(renderer);
     picture->cancel = zr_cancel_use(cancel);
-    picture->arena = zr_renderer_take(renderer, ZR_ARENA_RESULT);
+    picture->arena = zr_renderer_take(renderer, ZR_ARENA_RESULT, 0);
     if (picture->arena) return picture;
     zraster_picture_free(picture);
     return NULL;
@@ -67,11 +68,11 @@ static enum zr_status close_picture(enum zr_status status, zraster_picture *pict
     return status;
 }
 
-enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, zraster_cancel *cancel,
-                               zraster_picture **out, struct zr_error *error)
+enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, size_t scene_bytes,
+                               zraster_cancel *cancel, zraster_picture **out, struct zr_error *error)
 {
     zraster_picture *picture = open_picture(renderer, cancel);
-    return picture ? close_picture(draw(picture, scene, error), picture, out) : ZR_NO_MEMORY;
+    return picture ? close_picture(draw(picture, scene, scene_bytes, error), picture, out) : ZR_NO_MEMORY;
 }
 
 static enum zr_status draw_views(zraster_picture *picture, struct zr_views *views, struct zr_error *error)
@@ -182,7 +183,7 @@ static enum zr_status encode(zraster_picture *picture, struct zr_error *error)
 {
     const struct zr_encode_input *encode_input = picture->encode_input;
     struct zr_files files;
-    struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH);
+    struct zr_arena *scratch = zr_renderer_take(picture->renderer, ZR_ARENA_SCRATCH, 0);
     if (!scratch) return ZR_NO_MEMORY;
     const struct zr_run run = run_of(picture, scratch, NULL, error);
     enum zr_status status =
@@ -222,7 +223,8 @@ static enum zr_status find_file(const zraster_picture *picture, const char *name
 {
     for (uint32_t i = 0; i < picture->files.count; i++) {
         const struct zr_zip_entry *entry = &picture->files.entries[i];
-        if (!is_file_of(entry->name, name) && strcmp(entry->name, name) != 0 && !is_only_file_of(picture, name)) continue;
+        if (!is_file_of(entry->name, name) && strcmp(entry->name, name) != 0 && !is_only_file_of(picture, name))
+            continue;
         *bytes = (struct zraster_bytes){entry->bytes, entry->size, picture->files.types[i]};
         return ZR_OK;
     }

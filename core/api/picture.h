@@ -24,7 +24,7 @@ enum zr_status zr_picture_make_views(zraster *renderer, struct zr_views *views, 
                                      zraster_picture **out, struct zr_error *error);
 
 /* Draws a scene into a picture. The scene may be freed afterwards. On failure *out is NULL. */
-enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, zraster_cancel *cancel,
-                               zraster_picture **out, struct zr_error *error);
+enum zr_status zr_picture_make(zraster *renderer, const struct zr_scene *scene, size_t scene_bytes,
+                               zraster_cancel *cancel, zraster_picture **out, struct zr_error *error);
 
 #endif

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "api/options.h"
+#include "api/spare_memory.h"
 
 struct zr_process_team {
     pid_t process;
@@ -34,7 +35,7 @@ static void use_options(zraster *renderer, const struct zraster_options *options
     if (options->instances_max) limits->instances_max = options->instances_max;
     if (options->window_pixels_max) limits->window_pixels_max = options->window_pixels_max;
     if (options->image_pixels_max) limits->image_pixels_max = options->image_pixels_max;
-    renderer->memory_max = options->memory_max ? options->memory_max : (size_t)1 << 30;
+    renderer->memory_max = options->memory_max ? options->memory_max : zr_default_memory();
     renderer->memory_keep = options->memory_keep ? options->memory_keep : (size_t)64 << 20;
     const uint32_t threads = options->threads ? options->threads : (uint32_t)count_processors();
     renderer->threads = threads < ZR_TEAM_MAX ? (int)threads : ZR_TEAM_MAX;
@@ -81,6 +82,11 @@ void zraster_close(zraster *renderer)
     free(atomic_load(&renderer->tables));
     free(atomic_load(&renderer->schema));
     free(renderer);
+}
+
+size_t zraster_spare_memory(void)
+{
+    return zr_spare_memory();
 }
 
 /* ---- threads ---- */
@@ -132,12 +138,14 @@ static struct zr_arena *take_idle(zraster *renderer, enum zr_arena_use use)
     return NULL;
 }
 
-struct zr_arena *zr_renderer_take(zraster *renderer, enum zr_arena_use use)
+struct zr_arena *zr_renderer_take(zraster *renderer, enum zr_arena_use use, size_t beside)
 {
     struct zr_arena *arena = take_idle(renderer, use);
-    if (arena) return arena;
-    arena = malloc(sizeof *arena);
-    if (arena) zr_arena_init(arena, renderer->memory_max);
+    if (!arena) {
+        arena = malloc(sizeof *arena);
+        if (arena) zr_arena_init(arena, renderer->memory_max);
+    }
+    if (arena && beside > 0) zr_arena_charge(arena, beside); /* or it has failed */
     return arena;
 }
 

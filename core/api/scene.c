@@ -26,7 +26,7 @@ zraster_status zraster_scene_read(zraster *renderer, const struct zraster_reques
     if (!scene) return zr_error_give(ZR_NO_MEMORY, &faults, error);
     const locale_t before = zr_renderer_enter(renderer);
     scene->renderer = zr_renderer_use(renderer);
-    scene->arena = zr_renderer_take(renderer, ZR_ARENA_RESULT);
+    scene->arena = zr_renderer_take(renderer, ZR_ARENA_RESULT, 0);
     const enum zr_status status = scene->arena ? read_into(scene, request, &faults) : ZR_NO_MEMORY;
     if (status == ZR_OK)
         *out = scene;

@@ -88,8 +88,8 @@ ZRASTER_API void zraster_error_free(zraster_error *error);
 
 struct zraster_options {
     size_t struct_size;
-    size_t memory_max;  /* bytes that a scene, a picture and the drawing of one may hold, each; 0: 1 GiB. A
-                           ceiling, checked before allocating */
+    size_t memory_max;  /* bytes that a scene and the drawing of it may hold together, and its picture as many; 0: three
+                           quarters of zraster_spare_memory, at least 1 GiB. A ceiling, checked before allocating */
     size_t memory_keep; /* bytes that the renderer keeps for its next calls, all together; 0: 64 MiB; SIZE_MAX: all */
     uint32_t threads;   /* threads that share the work of a call, the caller included; 0: one per processor */
     uint32_t window_side_max; /* limits as in GET /v1/limits; 0: the default */
@@ -99,6 +99,8 @@ struct zraster_options {
 
 /* `options` may be NULL: all defaults. */
 ZRASTER_API zraster_status zraster_open(const struct zraster_options *options, zraster **renderer);
+ZRASTER_API size_t zraster_spare_memory(void); /* bytes that this process can still take, of its machine, control groups
+                                                  and limits; SIZE_MAX: unknown */
 ZRASTER_API void zraster_trim(zraster *renderer);  /* returns kept memory to the system */
 ZRASTER_API void zraster_close(zraster *renderer); /* its scenes and pictures stay valid until they are freed */
 

@@ -114,6 +114,16 @@ static struct zr_arena_block *find_room(const struct zr_arena *arena, size_t byt
     return NULL;
 }
 
+/* Empties a block, which is in no list. */
+static void make_spare(struct zr_arena *arena, struct zr_arena_block *block)
+{
+    ZR_FORBID(block_bytes(block), block->used); /* the rest is still poisoned */
+    block->used = 0;
+    block->next = arena->spares;
+    arena->spares = block;
+    arena->spare_bytes += block->size;
+}
+
 /* ---- arenas ---- */
 
 void zr_arena_init(struct zr_arena *arena, size_t ceiling)
@@ -133,11 +143,7 @@ void zr_arena_reset(struct zr_arena *arena, size_t keep)
                 free(block);
                 continue;
             }
-            ZR_FORBID(block_bytes(block), block->used); /* the rest is still poisoned */
-            block->used = 0;
-            block->next = arena->spares;
-            arena->spares = block;
-            arena->spare_bytes += block->size;
+            make_spare(arena, block);
         }
     arena->used = arena->held = arena->peak = arena->most = 0;
     arena->failed = false;
@@ -361,6 +367,20 @@ struct zr_arena_share zr_arena_close_part(struct zr_arena *arena, const struct z
     if (arena->most < arena->held) arena->most = arena->held;
     if (arena->most < part->most) arena->most = part->most;
     return share;
+}
+
+void zr_arena_drop_part(struct zr_arena *arena, const struct zr_arena_part *part)
+{
+    for (struct zr_arena_block *block = arena->first, *next; block; block = next) {
+        next = block->next;
+        make_spare(arena, block);
+    }
+    arena->first = part->first;
+    arena->current = part->current;
+    arena->unit = part->unit;
+    arena->used = part->used;
+    arena->held = part->held;
+    if (arena->most < part->most) arena->most = part->most;
 }
 
 size_t zr_arena_bytes(const struct zr_arena *arena)

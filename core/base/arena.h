@@ -109,6 +109,10 @@ struct zr_arena_part zr_arena_open_part(struct zr_arena *arena, size_t unit);
 struct zr_arena_share zr_arena_close_part(struct zr_arena *arena, const struct zr_arena_part *part,
                                           const struct zr_arena_share *shared);
 
+/* Ends a part whose results are not needed any more: its blocks become spares for later allocations. Not for scratch
+ * arenas. */
+void zr_arena_drop_part(struct zr_arena *arena, const struct zr_arena_part *part);
+
 /* Returns the size of all blocks. */
 size_t zr_arena_bytes(const struct zr_arena *arena);
 

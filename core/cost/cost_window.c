@@ -74,26 +74,35 @@ static double bytes_of_cells(const struct zr_view *view, double pixels, double f
     return cells * (pixels * CELL_BYTES + fmin(fragments, pixels) * (double)sizeof(struct zr_cell_entry));
 }
 
+/* Bytes of light and effects, while samples are drawn. */
+static double bytes_of_light(const struct zr_scene *scene, const struct zr_cost_passes *passes, double pixels,
+                             double samples)
+{
+    const struct zr_picture *picture = scene->picture;
+    double sum = pixels * LINEAR_BYTES + zr_cost_lamp_map_bytes(passes->lamp_maps);
+    if (zr_cost_refracts(scene)) sum += zr_backdrop_bytes(pixels);
+    if (picture->occlusion.is_on) sum += (GBUFFER_ARRAYS + OCCLUSION_ARRAYS) * WORD_BYTES * pixels;
+    if (picture->edges.is_on && !picture->edges.is_from_mesh)
+        sum += pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
+    return sum;
+}
+
+/* The picture, lines of the mesh and channels are drawn one after another, in the same memory. */
 double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes, double kept,
                             double fragments)
 {
     const struct zr_picture *picture = scene->picture;
     const struct zr_view *view = &scene->views[0];
     const double pixels = (double)view->width * (double)view->height, samples = pixels * passes->side * passes->side;
-    double sum = pixels * zr_cost_channel_bytes(view) + bytes_of_layers(scene, samples, kept);
+    const bool is_lit = passes->samples > 0.0 && picture->is_linear;
     if (scene->is_undrawn) return 0.0;
-    sum += bytes_of_masks(scene, pixels, fragments);
-    if (zr_view_wants(view, ZR_CHANNEL_FLOW)) sum += pixels * WORD_BYTES;
+    double sum = bytes_of_layers(scene, samples, kept), lines = 0.0;
     if (zr_view_has_pixels(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* these keep a z-buffer of the whole window */
-        sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
-    if (passes->samples == 0.0 || !picture->is_linear) return sum;
-    sum += pixels * LINEAR_BYTES + zr_cost_lamp_map_bytes(passes->lamp_maps);
-    if (zr_cost_refracts(scene)) sum += zr_backdrop_bytes(pixels);
-    if (picture->occlusion.is_on) sum += (GBUFFER_ARRAYS + OCCLUSION_ARRAYS) * WORD_BYTES * pixels;
-    if (zr_cost_draws_lines(picture))
-        sum += pixels * WORD_BYTES + bytes_of_cells(view, pixels, fragments);
-    else if (picture->edges.is_on)
-        sum += pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
-    return sum;
+        sum += SAMPLE_BYTES * (passes->samples > 0.0 ? samples : pixels);
+    if (is_lit) sum += bytes_of_light(scene, passes, pixels, samples);
+    if (is_lit && zr_cost_draws_lines(picture)) lines = pixels * WORD_BYTES + bytes_of_cells(view, pixels, fragments);
+    const double flow = zr_view_wants(view, ZR_CHANNEL_FLOW) ? pixels * WORD_BYTES : 0.0;
+    return pixels * zr_cost_channel_bytes(view) + bytes_of_masks(scene, pixels, fragments) +
+           fmax(fmax(sum, lines), flow);
 }

@@ -123,10 +123,13 @@ static enum zr_status draw_gbuffer(const struct drawing *d, struct zr_gbuffer *p
     desc.untextured = true;
     struct gbuffer_drawing drawing = {d, &pass, pixels};
     enum zr_status status = make_gbuffer(d, pixels);
-    STAGE(zr_pass_make(d->run, &desc, &pass));
     if (status != ZR_OK) return status;
-    zr_team_ranges(d->run->team, zr_tile_count(d->frame->width, d->frame->height), 2, draw_gbuffer_range, &drawing);
-    return status_of(d);
+    const struct zr_arena_part part = zr_arena_open_part(d->run->arena, d->run->arena->unit);
+    status = zr_pass_make(d->run, &desc, &pass);
+    if (status == ZR_OK)
+        zr_team_ranges(d->run->team, zr_tile_count(d->frame->width, d->frame->height), 2, draw_gbuffer_range, &drawing);
+    zr_arena_drop_part(d->run->arena, &part);
+    return status == ZR_OK ? status_of(d) : status;
 }
 
 /* Returns D in eye space. */
@@ -225,6 +228,7 @@ static enum zr_status draw_glass(const struct drawing *d, const struct zr_post_d
     return status;
 }
 
+/* Draws the picture without lines of the mesh. */
 static enum zr_status draw_light(struct drawing *d)
 {
     const struct zr_picture *picture = d->scene->picture;
@@ -271,7 +275,17 @@ static enum zr_status draw_light(struct drawing *d)
     if (stages.glass == ZR_GLASS_LEFT_OUT) STAGE(draw_glass(d, &desc, &stages, &pass, &backdrop));
     if (status == ZR_OK && points_light) zr_eye_dome_apply(d->run, &pixels, points_light, light.color, light.stride);
     STAGE(finish(d, &desc, edges));
-    if (picture->edges.is_on && picture->edges.is_from_mesh) STAGE(zr_mesh_lines_draw(d->run, d->scene, d->frame));
+    return status;
+}
+
+/* Lines of the mesh use the memory of the light again. */
+static enum zr_status draw_light_and_lines(struct drawing *d)
+{
+    const struct zr_edges *edges = &d->scene->picture->edges;
+    const struct zr_arena_part part = zr_arena_open_part(d->run->arena, d->run->arena->unit);
+    enum zr_status status = draw_light(d);
+    zr_arena_drop_part(d->run->arena, &part);
+    if (edges->is_on && edges->is_from_mesh) STAGE(zr_mesh_lines_draw(d->run, d->scene, d->frame));
     return status;
 }
 
@@ -304,5 +318,5 @@ enum zr_status zr_picture_draw(const struct zr_run *run, const struct zr_scene *
     struct drawing drawing = {run, scene, frame, NULL};
     struct zr_scene with_layers;
     if (!zr_picture_scene(run->arena, scene, &with_layers, &drawing.scene)) return ZR_NO_MEMORY;
-    return scene->picture->is_linear ? draw_light(&drawing) : draw_bytes(&drawing);
+    return scene->picture->is_linear ? draw_light_and_lines(&drawing) : draw_bytes(&drawing);
 }

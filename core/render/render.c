@@ -5,6 +5,7 @@
 #include <inttypes.h>
 
 #include "base/cancel.h"
+#include "base/memory_error.h"
 #include "base/run.h"
 #include "overlay/color_bar.h"
 #include "raster/textbook/algorithms.h"
@@ -86,7 +87,7 @@ static enum zr_status make_lines(const struct zr_run *run, const struct zr_scene
 }
 
 /* An optional pass of a frame. Masks and the lines of a file stay in `arena`; passes that write pixels of the frame
- * work in `scratch` alone. */
+ * work in `scratch` alone, whose memory the next pass uses again. */
 struct optional_pass {
     bool wanted, stays;
     enum zr_status (*run)(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame);
@@ -104,8 +105,16 @@ static enum zr_status draw_frame(const struct zr_run *run, const struct zr_scene
     };
     const struct zr_run inner = zr_run_in(run, run->scratch);
     enum zr_status status = ZR_OK;
-    for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++)
-        if (passes[i].wanted) STAGE(passes[i].run(passes[i].stays ? run : &inner, scene, frame));
+    for (size_t i = 0; status == ZR_OK && i < sizeof passes / sizeof passes[0]; i++) {
+        if (!passes[i].wanted) continue;
+        if (passes[i].stays && run->scratch == run->arena) {
+            status = passes[i].run(run, scene, frame);
+            continue;
+        }
+        const struct zr_arena_part part = zr_arena_open_part(run->scratch, run->scratch->unit);
+        status = passes[i].run(passes[i].stays ? run : &inner, scene, frame);
+        zr_arena_drop_part(run->scratch, &part);
+    }
     return status;
 }
 
@@ -196,13 +205,12 @@ enum zr_status zr_render_apart(const struct zr_run *run, const struct zr_scene *
                      "many of its faces overlap or cut one another; other algorithms, and fewer faces, take less",
                      ZR_PAINTER_WORK_MAX);
     if (status == ZR_NO_MEMORY)
-        zr_error_add(run->error, status, NULL, "rendering needs more than the %zu bytes a request may use%s",
-                     run->arena->ceiling,
-                     zr_any_is_see_through(scene->materials, scene->material_count) ||
-                             zr_any_is_xray(scene->materials, scene->material_count) ||
-                             zr_any_is_glass(scene->materials, scene->material_count)
-                         ? ": all layers of translucent surfaces are kept, 8 bytes per pixel and layer"
-                         : "");
+        zr_memory_error_add(run->error, run->scratch->failed ? run->scratch : run->arena, "rendering",
+                            zr_any_is_see_through(scene->materials, scene->material_count) ||
+                                    zr_any_is_xray(scene->materials, scene->material_count) ||
+                                    zr_any_is_glass(scene->materials, scene->material_count)
+                                ? ": all layers of translucent surfaces are kept, 8 bytes per pixel and layer"
+                                : "");
     if (status == ZR_CANCELLED) zr_error_add(run->error, status, NULL, "rendering was stopped before it was done");
     if (status == ZR_INTERNAL) zr_error_add(run->error, status, NULL, "the algorithm failed");
     *out = frame;

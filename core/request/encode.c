@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/memory_error.h"
 #include "base/rgba.h"
 #include "base/run.h"
 #include "output/images/depth16.h"
@@ -315,8 +316,7 @@ enum zr_status zr_files_join(struct zr_arena *arena, const struct zr_files *file
 static enum zr_status explain(const struct zr_arena *arena, enum zr_status status, struct zr_error *error)
 {
     if (status == ZR_OK && !zr_arena_ok(arena)) status = ZR_NO_MEMORY;
-    if (status == ZR_NO_MEMORY)
-        zr_error_add(error, status, NULL, "encoding needs more than the %zu bytes a request may use", arena->ceiling);
+    if (status == ZR_NO_MEMORY) zr_memory_error_add(error, arena, "encoding", "");
     if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "encoding was stopped before it was done");
     if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "an image could not be written");
     return status;

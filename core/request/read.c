@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/memory_error.h"
 #include "base/run.h"
 #include "geometry/geometry.h"
 #include "input/formats/formats.h"
@@ -286,9 +287,7 @@ static enum zr_status read_request(const struct zr_run *run, const struct zr_req
         return zr_error_add(run->error, ZR_CANCELLED, NULL, "reading was stopped before it was done");
     }
     if ((status == ZR_OK && !zr_arena_ok(run->arena)) || (status == ZR_NO_MEMORY && run->error->count == 0))
-        status = zr_error_add(run->error, ZR_NO_MEMORY, NULL,
-                              "the scene needs more memory than the %zu bytes that one request may have",
-                              run->arena->ceiling);
+        status = zr_memory_error_add(run->error, run->arena, "the scene", "");
     if (status != ZR_OK) return status;
     *scene = made;
     return ZR_OK;
@@ -310,7 +309,7 @@ static enum zr_status keep(const struct zr_run *run, const struct zr_request *re
     struct zr_request first = *request;
     if (request->frames && !if_views) first.bytes = zr_arena_copy(run->arena, request->bytes, request->size);
     if (!zr_arena_ok(run->arena))
-        return zr_error_add(run->error, ZR_NO_MEMORY, NULL, "a scene needs more than %zu bytes", run->arena->ceiling);
+        return zr_memory_error_add(run->error, run->arena, "the scene", "");
     made->images = images;
     *lasting = *request;
     made->request = lasting;

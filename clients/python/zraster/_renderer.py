@@ -31,7 +31,8 @@ class Renderer:
     """Threads, limits, and memory kept for the next call. Any number of threads may use one at once.
 
     threads: number of threads that share the work of a call; 0: one per processor
-    memory_max: bytes that a scene, a picture and the drawing of one may hold, each; 0: 1 GiB
+    memory_max: bytes that a scene and the drawing of it may hold together, and its picture as many; 0: three quarters of
+        what the machine, the control groups and limits of this process leave, at least 1 GiB
     memory_keep: bytes kept for the next calls; 0: 64 MiB
     Limits, as in GET /v1/limits; 0: the default: window_side_max (pixels), window_pixels_max, image_pixels_max,
     instances_max
