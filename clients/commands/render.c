@@ -7,6 +7,7 @@
 
 #include "engine/progress.h"
 #include "engine/report.h"
+#include "engine/ticker.h"
 #include "help.h"
 #include "options/words.h"
 #include "show.h"
@@ -50,19 +51,32 @@ static void report(const struct job *job)
     if (job->status == STATUS_DONE && (is_person || options->own[OPTION_VERBOSE])) job_print(stderr, job);
 }
 
-static void show_views(void *progress, uint32_t done, uint32_t total)
+/* Progress of one file: views once the first is drawn, seconds before. */
+struct showing {
+    struct progress views;
+    struct ticker seconds;
+};
+
+static void show_views(void *context, uint32_t done, uint32_t total)
 {
-    progress_show_views(progress, done, total);
+    struct showing *showing = context;
+    ticker_end(&showing->seconds);
+    progress_show_views(&showing->views, done, total);
 }
 
 int render_draw(const struct engine *engine, const struct options *options)
 {
     struct job job = {.target = output_target(options->files[0], options->own[OPTION_OUTPUT]), .options = options};
+    struct showing *showing = engine->progress ? engine->progress_context : NULL;
+    if (showing) ticker_start(&showing->seconds, job.target.file, showing->views.is_shown);
     if (options->own[OPTION_SHOW])
         show_run(engine, &job);
     else
         job_run(engine, &job);
-    if (engine->progress) progress_hide(engine->progress_context);
+    if (showing) {
+        ticker_end(&showing->seconds);
+        progress_hide(&showing->views);
+    }
     report(&job);
     job_free(&job);
     return job.status;
@@ -79,9 +93,9 @@ int command_render(struct options *options)
     output_set_encoding(options);
     if (status == 0) status = engine_open(&engine, options, options_threads(options), 1);
     if (status != 0) return status;
-    struct progress progress = {.is_shown = progress_is_wanted(options), .printed = job_clock()};
+    struct showing showing = {.views = {.is_shown = progress_is_wanted(options), .printed = job_clock()}};
     engine.progress = show_views;
-    engine.progress_context = &progress;
+    engine.progress_context = &showing;
     status = render_draw(&engine, options);
     engine_close(&engine);
     return status;
