@@ -75,7 +75,8 @@ bool zr_arena_clear(const struct zr_arena *arena, void *bytes, size_t size);
  * newest allocation and its block has room. */
 void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size);
 
-/* Shrinks an array of `count` objects to `new_count` if it is the newest allocation; otherwise does nothing. */
+/* Shrinks an array of `count` objects to `new_count` if it is the newest allocation of its block; otherwise does
+ * nothing. Unless the block is the current one, the bytes still count as held, until later allocations take them. */
 void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new_count, size_t size);
 
 /* Counts `bytes` that a library allocates elsewhere for the request, until they are refunded or the arena is reset.

@@ -36,25 +36,55 @@ zr_vec4 *zr_blended_position_normals(struct zr_arena *arena, const struct zr_can
     return out;
 }
 
-zr_vec4 *zr_blended_corner_normals(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_mesh *mesh,
-                                   const zr_vec4 *whole)
+/* Normals of the whole mesh, followed by those of the blends. */
+struct blending {
+    const struct zr_mesh_source *source;
+    uint32_t slots; /* of the whole mesh */
+    const struct zr_crease_normals *whole;
+    zr_vec4 *normals;
+};
+
+/* Returns the number of a corner's normal. */
+static uint32_t number_of(const struct blending *b, uint32_t corner)
+{
+    if (corner >= b->slots) return b->whole->count + (corner - b->slots);
+    return zr_crease_number_of(b->whole, corner);
+}
+
+static void blend_normals(const struct blending *b, const struct zr_cancel *cancel)
+{
+    zr_vec4 *const made = b->normals + b->whole->count;
+    for (uint32_t i = 0; i < b->whole->count; i++) {
+        if (i % NORMALS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
+        b->normals[i] = b->whole->normals[i];
+    }
+    for (uint32_t i = 0; i < b->source->blend_count; i++) {
+        const struct zr_mesh_blend *blend = &b->source->blends[i];
+        if (i % NORMALS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return;
+        made[i] = blend->a == ZR_NO_CORNER
+                      ? (zr_vec4){0, 0, 0, 0}
+                      : between(&b->normals[number_of(b, blend->a)], &b->normals[number_of(b, blend->b)], blend->t);
+    }
+}
+
+const struct zr_crease_normals *zr_blended_corner_normals(struct zr_arena *arena, const struct zr_cancel *cancel,
+                                                          const struct zr_mesh *mesh,
+                                                          const struct zr_crease_normals *whole)
 {
     const struct zr_mesh_source *source = mesh->source;
     const uint32_t slots = source->mesh->face_offsets[source->mesh->face_count],
                    corners = mesh->face_offsets[mesh->face_count];
-    zr_vec4 *out = zr_arena_alloc(arena, corners, sizeof *out);
-    zr_vec4 *made = zr_arena_zero(arena, source->blend_count, sizeof *made);
-    if (!out || !made || !whole) return NULL;
-#define NORMAL(corner) ((corner) < slots ? &whole[corner] : &made[(corner)-slots])
-    for (uint32_t i = 0; i < source->blend_count; i++) {
-        const struct zr_mesh_blend *blend = &source->blends[i];
-        if (i % NORMALS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
-        if (blend->a != ZR_NO_CORNER) made[i] = between(NORMAL(blend->a), NORMAL(blend->b), blend->t);
-    }
+    struct zr_crease_normals *out = zr_arena_alloc(arena, 1, sizeof *out);
+    uint32_t *numbers = zr_arena_zero(arena, corners, sizeof *numbers);
+    if (!out || !numbers || !whole) return NULL;
+    const size_t count = (size_t)whole->count + source->blend_count;
+    const struct blending b = {source, slots, whole, zr_arena_alloc(arena, count, sizeof *b.normals)};
+    if (!b.normals) return NULL;
+    *out = (struct zr_crease_normals){b.normals, numbers, (uint32_t)count};
+    blend_normals(&b, cancel);
     for (uint32_t i = 0; i < corners; i++) {
-        if (i % NORMALS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return out;
-        out[i] = *NORMAL(source->corners[i]);
+        if (i % NORMALS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) break;
+        numbers[i] = number_of(&b, source->corners[i]);
     }
-#undef NORMAL
     return out;
 }

@@ -7,14 +7,16 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
+#include "mesh/crease_normals.h"
 #include "scene/scene.h"
 
-/* Returns one normal per position, and one per corner, from those of mesh->source->mesh; 0 in caps and at ends of
- * lines, whose normals are given or unused. Unit length, with w = 0. Returns NULL if the arena failed. If cancelled,
- * returns early with undefined normals. */
+/* Return the normals of positions, and of corners, from those of mesh->source->mesh; 0 in caps and at ends of lines,
+ * whose normals are given or unused. Unit length; w = 0 at positions. `whole` may be NULL if the arena failed; they
+ * return NULL then. If cancelled, they return early with undefined normals. */
 zr_vec4 *zr_blended_position_normals(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_mesh *mesh,
                                      const zr_vec4 *whole);
-zr_vec4 *zr_blended_corner_normals(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_mesh *mesh,
-                                   const zr_vec4 *whole);
+const struct zr_crease_normals *zr_blended_corner_normals(struct zr_arena *arena, const struct zr_cancel *cancel,
+                                                          const struct zr_mesh *mesh,
+                                                          const struct zr_crease_normals *whole);
 
 #endif

@@ -1,5 +1,7 @@
 #include "mesh/crease_fans.h"
 
+#include <stdatomic.h>
+
 #include "base/cancel.h"
 #include "base/team.h"
 #include "mesh/crease_chains.h"
@@ -15,6 +17,7 @@ struct fans {
     const uint32_t *bent; /* vertices */
     uint32_t bent_count;
     struct zr_steep_edges steep;
+    atomic_size_t distinct; /* normals, as zr_crease_mark_equal counts them */
 };
 
 /* The corners at a vertex, and the neighbours of each in its ring. */
@@ -219,7 +222,7 @@ static zr_vec4 sum_fan(const struct fans *f, const struct around *around, const 
     return (zr_vec4){chosen.x, chosen.y, chosen.z, 0};
 }
 
-static void put_fans(const struct fans *f, const struct around *around)
+static size_t put_fans(const struct fans *f, const struct around *around)
 {
     uint32_t fans[MOST];
     zr_vec4 normals[MOST];
@@ -228,6 +231,7 @@ static void put_fans(const struct fans *f, const struct around *around)
         normals[i] = sum_fan(f, around, fans, i);
     for (uint32_t i = 0; i < around->count; i++)
         f->m->corners[around->slots[i]] = normals[i];
+    return zr_crease_mark_equal(around->slots, around->count, f->m->corners);
 }
 
 /* True if all edges of a vertex are small. */
@@ -242,17 +246,19 @@ static bool is_fine(const struct zr_corner_mesh *m, const struct around *around)
 
 static void put_range(void *context, size_t begin, size_t end)
 {
-    const struct fans *f = context;
+    struct fans *f = context;
+    size_t distinct = 0;
     const struct zr_vertex_corners plain = {f->m->of.ends, f->m->of.slots, NULL};
     struct around around;
     for (size_t b = begin; b < end && !zr_is_cancelled(f->cancel); b++) {
         const uint32_t vertex = f->bent[b];
         look_around(f->m, vertex, &around);
         if (f->steep.listed && is_fine(f->m, &around))
-            put_fans(f, &around);
+            distinct += put_fans(f, &around);
         else
-            zr_crease_sums_of(f->isa)(&plain, vertex, (size_t)vertex + 1, f->m->cosine, f->m->corners);
+            distinct += zr_crease_sums_of(f->isa)(&plain, vertex, (size_t)vertex + 1, f->m->cosine, f->m->corners);
     }
+    atomic_fetch_add_explicit(&f->distinct, distinct, memory_order_relaxed);
 }
 
 /* ---- all ---- */
@@ -284,7 +290,7 @@ static void find_creases(struct zr_arena *arena, struct fans *f, size_t corners)
     zr_crease_chains_find(arena, f->cancel, f->m->mesh->positions, f->m->diagonal, &f->steep);
 }
 
-void zr_crease_fans_apply(const struct zr_run *run, const struct zr_corner_mesh *mesh)
+size_t zr_crease_fans_apply(const struct zr_run *run, const struct zr_corner_mesh *mesh)
 {
     struct fans f = {.m = mesh, .cancel = run->cancel, .isa = zr_team_isa(run->team)};
     struct zr_arena scratch = zr_arena_open_scratch(run->arena);
@@ -294,4 +300,5 @@ void zr_crease_fans_apply(const struct zr_run *run, const struct zr_corner_mesh 
     if (any_fine) find_creases(&scratch, &f, corners);
     if (zr_arena_ok(&scratch)) zr_team_ranges(run->team, f.bent_count, BENT_PER_RANGE, put_range, &f);
     zr_arena_close_scratch(&scratch, run->arena);
+    return f.distinct;
 }

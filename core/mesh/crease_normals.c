@@ -1,5 +1,7 @@
 #include "mesh/crease_normals.h"
 
+#include <stdatomic.h>
+
 #include "base/run.h"
 #include "base/trig.h"
 #include "mesh/blended_normals.h"
@@ -9,7 +11,7 @@
 #include "mesh/weld.h"
 #include "mesh/weld_input.h"
 
-enum { FACES_PER_RANGE = 1 << 11, VERTICES_PER_RANGE = 1 << 10 };
+enum { FACES_PER_RANGE = 1 << 11, VERTICES_PER_RANGE = 1 << 10, SLOTS_PER_CANCEL_CHECK = 1 << 16 };
 
 /* Corners are sorted in chunks, one thread per chunk: more chunks take more memory. */
 enum { CHUNKS_MOST = 4, CORNERS_PER_CHUNK = 1 << 14 };
@@ -26,9 +28,11 @@ struct creasing {
     uint32_t *counts; /* vertex_count per chunk; later the slot of the next corner of each vertex */
     uint32_t *slots;
     uint32_t *groups; /* smoothing group of each corner, or NULL */
+    bool has_bent;    /* fans are wanted */
     uint8_t *bent;    /* by vertex; NULL: no fans */
     float cosine;     /* of the crease angle, with a tolerance */
     zr_vec4 *corners;
+    atomic_size_t distinct; /* normals, as zr_crease_mark_equal counts them */
 };
 
 static void make_corners(void *context, size_t begin, size_t end)
@@ -125,29 +129,35 @@ static void sort_by_groups(const struct creasing *c, uint32_t *slots, uint32_t c
     }
 }
 
-/* Averages the corners of each group of one vertex. Corners of group 0 keep the normals of their faces. */
-static void sum_groups(const struct creasing *c, uint32_t *slots, uint32_t count)
+/* Averages the corners of each group of one vertex. Corners of group 0 keep the normals of their faces. Returns the sum
+ * of zr_crease_mark_equal. */
+static size_t sum_groups(const struct creasing *c, uint32_t *slots, uint32_t count)
 {
+    size_t distinct = 0;
     sort_by_groups(c, slots, count);
     for (uint32_t first = 0, end; first < count; first = end) {
         const uint32_t group = c->groups[slots[first]];
         for (end = first; end < count && c->groups[slots[end]] == group; end++)
-            if (group == 0) c->corners[slots[end]].w = 0.0f;
+            ;
         const uint32_t own = end - first;
         const struct zr_vertex_corners of = {&own, slots + first, NULL};
-        if (group != 0) zr_crease_sums_of(c->isa)(&of, 0, 1, LEAST_OF_GROUPS, c->corners);
+        distinct += group != 0 ? zr_crease_sums_of(c->isa)(&of, 0, 1, LEAST_OF_GROUPS, c->corners)
+                               : zr_crease_mark_equal(slots + first, own, c->corners);
     }
+    return distinct;
 }
 
 static void sum_groups_of_vertices(void *context, size_t begin, size_t end)
 {
-    const struct creasing *c = context;
+    struct creasing *c = context;
     const uint32_t *ends = c->counts + (size_t)(c->chunk_count - 1) * c->vertex_count;
+    size_t distinct = 0;
     if (zr_is_cancelled(c->cancel)) return;
     for (size_t vertex = begin; vertex < end; vertex++) {
         const uint32_t first = vertex == 0 ? 0 : ends[vertex - 1];
-        sum_groups(c, c->slots + first, ends[vertex] - first);
+        distinct += sum_groups(c, c->slots + first, ends[vertex] - first);
     }
+    atomic_fetch_add_explicit(&c->distinct, distinct, memory_order_relaxed);
 }
 
 /* ---- sums ---- */
@@ -160,9 +170,31 @@ static struct zr_vertex_corners corners_of(const struct creasing *c)
 
 static void make_sums(void *context, size_t begin, size_t end)
 {
-    const struct creasing *c = context;
+    struct creasing *c = context;
     const struct zr_vertex_corners of = corners_of(c);
-    if (!zr_is_cancelled(c->cancel)) zr_crease_sums_of(c->isa)(&of, begin, end, c->cosine, c->corners);
+    if (zr_is_cancelled(c->cancel)) return;
+    const size_t distinct = zr_crease_sums_of(c->isa)(&of, begin, end, c->cosine, c->corners);
+    atomic_fetch_add_explicit(&c->distinct, distinct, memory_order_relaxed);
+}
+
+/* ---- equal normals ---- */
+
+/* Moves the normals that are the first of equal ones to the front, and numbers all corners. False if cancelled. A first
+ * corner comes before those that have its number. The numbers replace the slots, which nobody reads any more. */
+static bool number_normals(struct creasing *c)
+{
+    uint32_t *numbers = c->slots, count = 0;
+    for (uint32_t slot = 0; slot < c->corner_count; slot++) {
+        if (slot % SLOTS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(c->cancel)) return false;
+        const zr_vec4 normal = c->corners[slot];
+        uint32_t first;
+        memcpy(&first, &normal.w, sizeof first);
+        numbers[slot] = first < slot ? numbers[first] : count;
+        if (first < slot) continue;
+        c->corners[count++] = normal;
+    }
+    c->distinct = count;
+    return true;
 }
 
 /* ---- the whole step ---- */
@@ -199,34 +231,54 @@ static void make_normals(struct zr_team *team, struct creasing *c)
     zr_team_ranges(team, c->vertex_count, VERTICES_PER_RANGE, c->groups ? sum_groups_of_vertices : make_sums, c);
 }
 
-/* One allocation, so that it can be trimmed as the newest one. Welding and sorting share `rest`. */
+/* One allocation, so that it can be trimmed to the normals. The corners replace the tables of the weld. */
 struct rooms {
-    char *all;
-    size_t size;
-    zr_vec4 *positions;
-    uint64_t *rest;
+    size_t size, front; /* bytes of all, and of those that the weld and then the corners have */
+    size_t sorting;     /* bytes of a vertex's counts and mark */
+    size_t counts_size; /* bytes if they have an allocation of their own, else 0 */
+    char *all, *counts;
+    uint64_t *weld;
     uint32_t *vertices;
-    uint8_t *bent;
+    zr_vec4 *positions;
 };
 
+static size_t aligned(size_t bytes)
+{
+    return (bytes + ZR_ARENA_ALIGN - 1) & ~((size_t)ZR_ARENA_ALIGN - 1);
+}
+
+/* Leaves room for the counts of a fourth as many vertices as corners: vertices of smooth meshes have six. */
 static void find_rooms(struct zr_arena *arena, const struct zr_mesh_extent *extent, const struct creasing *c,
                        struct rooms *rooms)
 {
-    const size_t positions = c->mesh.position_count, copied = extent->needs_copy ? positions * sizeof(zr_vec4) : 0;
-    const size_t welding = zr_weld_room(c->mesh.position_count) * sizeof(uint64_t);
-    const size_t sorting = (c->chunk_count * positions + c->corner_count) * sizeof(uint32_t);
-    const size_t rest = larger(welding, sorting + sorting % sizeof(uint64_t));
-    const size_t groups = c->mesh.face_groups ? c->corner_count : 0, vertices = (positions + groups) * sizeof(uint32_t);
-    rooms->size = copied + rest + vertices + positions;
+    const size_t positions = c->mesh.position_count, least = c->corner_count / 4;
+    rooms->sorting = c->chunk_count * sizeof(uint32_t) + 1;
+    const size_t sorting = (positions < least ? positions : least) * rooms->sorting;
+    const size_t front = aligned(
+        larger(zr_weld_room(c->mesh.position_count) * sizeof(uint64_t), c->corner_count * sizeof(zr_vec4) + sorting));
+    const size_t copied = extent->needs_copy ? positions * sizeof(zr_vec4) : 0;
+    const size_t groups = c->mesh.face_groups ? c->corner_count : 0;
+    rooms->front = front;
+    rooms->size = front + copied + (positions + groups) * sizeof(uint32_t);
     rooms->all = zr_arena_alloc(arena, rooms->size, 1);
     if (!rooms->all) return;
-    rooms->positions = (zr_vec4 *)(void *)rooms->all;
-    rooms->rest = (uint64_t *)(void *)(rooms->all + copied);
-    rooms->vertices = (uint32_t *)(void *)(rooms->all + copied + rest);
-    rooms->bent = (uint8_t *)(rooms->all + copied + rest + vertices);
+    rooms->weld = (uint64_t *)(void *)rooms->all;
+    rooms->positions = (zr_vec4 *)(void *)(rooms->all + front);
+    rooms->vertices = (uint32_t *)(void *)(rooms->all + front + copied);
 }
 
-static void smooth_fans(const struct zr_run *run, const struct creasing *c, float diagonal)
+/* Finds the room of the counts and bent vertices: behind the corners, or a new one. */
+static void place_counts(struct zr_arena *arena, struct creasing *c, struct rooms *rooms)
+{
+    const size_t corners = c->corner_count * sizeof(zr_vec4), size = c->vertex_count * rooms->sorting;
+    const bool fits = size <= rooms->front - corners;
+    rooms->counts_size = fits ? 0 : size;
+    rooms->counts = fits ? rooms->all + corners : zr_arena_alloc(arena, size, 1);
+    c->counts = (uint32_t *)(void *)rooms->counts;
+    c->bent = c->has_bent && c->counts ? (uint8_t *)(c->counts + (size_t)c->chunk_count * c->vertex_count) : NULL;
+}
+
+static void smooth_fans(const struct zr_run *run, struct creasing *c, float diagonal)
 {
     const struct zr_corner_mesh mesh = {.mesh = &c->mesh,
                                         .vertices = c->vertices,
@@ -235,41 +287,66 @@ static void smooth_fans(const struct zr_run *run, const struct creasing *c, floa
                                         .cosine = c->cosine,
                                         .diagonal = diagonal,
                                         .corners = c->corners};
-    if (c->vertex_count > 0) zr_crease_fans_apply(run, &mesh);
+    c->distinct += zr_crease_fans_apply(run, &mesh);
+}
+
+/* Makes the normals of c->corners, which replace the tables of the weld. */
+static void make_corner_normals(const struct zr_run *run, struct creasing *c, struct rooms *rooms, float diagonal)
+{
+    c->corners = (zr_vec4 *)(void *)rooms->all;
+    place_counts(run->arena, c, rooms);
+    if (!zr_arena_ok(run->arena)) return;
+    make_normals(run->team, c);
+    if (c->bent && !zr_is_cancelled(run->cancel)) smooth_fans(run, c, diagonal);
+    zr_arena_trim(run->arena, rooms->counts, rooms->counts_size, 0, 1);
+}
+
+/* Keeps equal normals once if that takes less memory. */
+static void share_normals(struct zr_arena *arena, struct creasing *c, const struct rooms *rooms,
+                          struct zr_crease_normals *out)
+{
+    const bool is_less = c->distinct < (size_t)c->corner_count - c->corner_count / 4;
+    *out = (struct zr_crease_normals){(zr_vec4 *)(void *)rooms->all, NULL, c->corner_count};
+    if (c->vertex_count > 0 && is_less && number_normals(c)) {
+        out->numbers = c->slots;
+        out->count = (uint32_t)c->distinct;
+    }
+    zr_arena_trim(arena, rooms->all, rooms->size, out->count * sizeof *out->normals, 1);
+    if (!out->numbers) zr_arena_trim(arena, c->slots, c->corner_count, 0, sizeof *c->slots);
 }
 
 /* Makes those of a mesh that is not sectioned. */
-static zr_vec4 *make(const struct zr_run *run, const struct zr_mesh *mesh, float degrees)
+static const struct zr_crease_normals *make(const struct zr_run *run, const struct zr_mesh *mesh, float degrees)
 {
     const uint32_t corner_count = mesh->face_offsets[mesh->face_count];
+    struct zr_crease_normals *out = zr_arena_alloc(run->arena, 1, sizeof *out);
     struct creasing c = {.cancel = run->cancel,
                          .mesh = *mesh,
                          .isa = zr_team_isa(run->team),
                          .corner_count = corner_count,
                          .chunk_count = count_chunks_of(run->team, corner_count),
-                         .cosine = least_cosine(degrees),
-                         .corners = zr_arena_alloc(run->arena, corner_count, sizeof *c.corners)};
+                         .slots = zr_arena_alloc(run->arena, corner_count, sizeof *c.slots),
+                         .cosine = least_cosine(degrees)};
     const struct zr_mesh_extent extent = zr_mesh_extent_of(run->team, mesh);
     struct rooms rooms = {0};
     find_rooms(run->arena, &extent, &c, &rooms);
     if (!zr_arena_ok(run->arena)) return NULL;
     const struct zr_weld_input input = zr_weld_input_make(run->team, mesh, &extent, rooms.positions);
     c.mesh.positions = input.at;
-    c.vertex_count = zr_weld_make(run->team, run->cancel, &input, rooms.rest, rooms.vertices);
+    c.vertex_count = zr_weld_make(run->team, run->cancel, &input, rooms.weld, rooms.vertices);
     c.vertices = c.vertex_count < input.count ? rooms.vertices : NULL;
-    c.slots = (uint32_t *)(void *)rooms.rest;
-    c.counts = c.slots + corner_count;
     c.groups = mesh->face_groups ? rooms.vertices + mesh->position_count : NULL;
     /* A mesh that is a window on the faces of another lacks those around it. */
     const bool is_window = mesh->face_offsets[0] > 0;
-    c.bent = !c.groups && !is_window && zr_crease_degrees_allow_noise(degrees) ? rooms.bent : NULL;
-    if (c.vertex_count > 0) make_normals(run->team, &c);
-    if (c.bent && !zr_is_cancelled(run->cancel)) smooth_fans(run, &c, input.diagonal);
-    zr_arena_trim(run->arena, rooms.all, rooms.size, 0, 1);
-    return zr_arena_ok(run->arena) ? c.corners : NULL;
+    c.has_bent = !c.groups && !is_window && zr_crease_degrees_allow_noise(degrees);
+    if (c.vertex_count > 0) make_corner_normals(run, &c, &rooms, input.diagonal);
+    if (!zr_arena_ok(run->arena)) return NULL;
+    share_normals(run->arena, &c, &rooms, out);
+    return out;
 }
 
-zr_vec4 *zr_crease_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, float degrees)
+const struct zr_crease_normals *zr_crease_normals_make(const struct zr_run *run, const struct zr_mesh *mesh,
+                                                       float degrees)
 {
     if (!mesh->source) return make(run, mesh, degrees);
     return zr_blended_corner_normals(run->arena, run->cancel, mesh, make(run, mesh->source->mesh, degrees));

@@ -20,10 +20,30 @@
 #include "core.h"
 #include "scene/scene.h"
 
-/* Returns one unit normal per corner (slot of mesh->indices), with w = 0; 0 if no face of the vertex has an area.
- * `degrees`: 0..180; a face at exactly this angle counts. Takes about 25 bytes per position and 4 per corner of scratch
- * from the arena and gives them back; with smoothing groups, 8 per corner; crease_fans.h takes more. Returns NULL if
- * the arena failed. If cancelled, returns early with undefined normals. */
-zr_vec4 *zr_crease_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, float degrees);
+/* Unit normals, each of one corner or more, in the order of their first corners; 0 if no face of the vertex has an
+ * area. w is undefined. */
+struct zr_crease_normals {
+    const zr_vec4 *normals;
+    const uint32_t *numbers; /* per corner (slot of mesh->indices): index of its normal; NULL: the corner's own */
+    uint32_t count;
+};
+
+static inline uint32_t zr_crease_number_of(const struct zr_crease_normals *creases, uint32_t corner)
+{
+    return creases->numbers ? creases->numbers[corner] : corner;
+}
+
+static inline zr_vec3 zr_crease_normal_of(const struct zr_crease_normals *creases, uint32_t corner)
+{
+    const zr_vec4 *normal = &creases->normals[zr_crease_number_of(creases, corner)];
+    return (zr_vec3){normal->x, normal->y, normal->z};
+}
+
+/* Returns the normals of all corners; NULL if the arena failed. `degrees`: 0..180; a face at exactly this angle counts.
+ * The result takes 4 bytes per corner and 16 per normal; or 16 per corner, if that is less. Until then it takes 20 per
+ * corner, and the larger of 20 per position and about 9 per vertex, and 4 per position; with smoothing groups, 4 per
+ * corner more; crease_fans.h takes more. If cancelled, returns early with undefined normals. */
+const struct zr_crease_normals *zr_crease_normals_make(const struct zr_run *run, const struct zr_mesh *mesh,
+                                                       float degrees);
 
 #endif

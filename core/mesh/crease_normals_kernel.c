@@ -180,9 +180,17 @@ static inline struct zr_vec3_v sum_of(struct zr_vec3_v unit, const struct zr_cre
     return sum;
 }
 
-/* Writes the normals of ZR_LANES corners, or of `count` if that is less. Returns true if some sources do not count. */
-static inline bool put_sums(const uint32_t *slots, uint32_t count, const struct zr_crease_source *sources,
-                            uint32_t source_count, float cosine, zr_vec4 *corners)
+/* What is known of the normals of a vertex. */
+struct sums {
+    bool is_bent;  /* some sources do not count */
+    bool is_equal; /* all are one normal, and marked so */
+};
+
+/* Writes the normals of ZR_LANES corners, or of `count` if that is less. If all sources count, the normals are equal,
+ * and are marked with the slot `first`. */
+static inline struct sums put_sums(uint32_t first, const uint32_t *slots, uint32_t count,
+                                   const struct zr_crease_source *sources, uint32_t source_count, float cosine,
+                                   zr_vec4 *corners)
 {
     struct zr_vec3_v unit;
     zr_vf weight, length;
@@ -194,11 +202,18 @@ static inline bool put_sums(const uint32_t *slots, uint32_t count, const struct 
     (void)weight;
     const struct zr_vec3_v normal = split(sum_of(unit, sources, source_count, cosine, &is_bent), &length);
     const zr_vf zero = zr_vf_set(0.0f);
-    const struct zr_vec3_v chosen = zr_choose_v(zr_vf_eq(length, zero), unit, normal);
-    zr_vf_store4((float *)normals, chosen.x, chosen.y, chosen.z, zero);
+    const zr_vm has_none = zr_vf_eq(length, zero);
+    const struct zr_vec3_v chosen = zr_choose_v(has_none, unit, normal);
+    zr_vf_store4((float *)normals, chosen.x, chosen.y, chosen.z, zr_vf_bits(zr_vi_set((int32_t)first)));
     for (uint32_t i = 0; i < ZR_LANES && i < count; i++)
         zr_four_store(&corners[slots[i]], zr_four_load(&normals[i]));
-    return is_bent;
+    return (struct sums){is_bent, !is_bent && zr_vm_bits(has_none) == 0};
+}
+
+static inline void join(struct sums *all, struct sums more)
+{
+    all->is_bent |= more.is_bent;
+    all->is_equal &= more.is_equal;
 }
 
 static inline void list_sources(const zr_vec4 *corners, const uint32_t *slots, uint32_t count,
@@ -218,15 +233,16 @@ static __attribute__((noinline)) void put_crowd(const uint32_t *slots, uint32_t 
     struct zr_crease_source groups[ZR_CREASE_GROUPS];
     const uint32_t group_count = zr_crease_groups(corners, slots, count, groups);
     for (uint32_t i = 0; i < count; i += ZR_LANES)
-        put_sums(slots + i, count - i, groups, group_count, cosine, corners);
+        put_sums(slots[0], slots + i, count - i, groups, group_count, cosine, corners);
 }
 
 /* Prefetch distance, in corners. */
 enum { CORNERS_AHEAD = 64 };
 
-void ZR_KERNEL(zr_crease_sums)(const struct zr_vertex_corners *of, size_t begin, size_t end, float cosine,
-                               zr_vec4 *corners)
+size_t ZR_KERNEL(zr_crease_sums)(const struct zr_vertex_corners *of, size_t begin, size_t end, float cosine,
+                                 zr_vec4 *corners)
 {
+    size_t distinct = 0;
     struct zr_crease_source sources[ZR_CREASE_EXACT];
     uint32_t first = begin == 0 ? 0 : of->ends[begin - 1];
     uint32_t prefetched = first;
@@ -236,18 +252,23 @@ void ZR_KERNEL(zr_crease_sums)(const struct zr_vertex_corners *of, size_t begin,
         first += count;
         for (; prefetched < last && prefetched < first + CORNERS_AHEAD; prefetched++)
             zr_prefetch_written(&corners[of->slots[prefetched]], 0, sizeof *corners);
-        bool is_bent = false;
+        struct sums sums = {.is_equal = true};
         if (of->bent) of->bent[vertex] = 0;
         if (count > ZR_CREASE_EXACT) {
             put_crowd(slots, count, cosine, corners);
+            distinct += zr_crease_mark_equal(slots, count, corners);
             continue;
         }
         list_sources(corners, slots, count, sources);
         for (uint32_t i = 0; i < count; i += ZR_LANES)
-            is_bent |= put_sums(slots + i, count - i, sources, count, cosine, corners);
-        if (!is_bent || !of->bent || count > ZR_FAN_CORNERS_MOST) continue;
+            join(&sums, put_sums(slots[0], slots + i, count - i, sources, count, cosine, corners));
+        if (!sums.is_bent || !of->bent || count > ZR_FAN_CORNERS_MOST) {
+            distinct += sums.is_equal ? count > 0 : zr_crease_mark_equal(slots, count, corners);
+            continue;
+        }
         of->bent[vertex] = 1;
         for (uint32_t i = 0; i < count; i++)
             corners[slots[i]] = sources[i].normal;
     }
+    return distinct;
 }

@@ -21,7 +21,7 @@ static bool have_room(const struct zr_arena *arena, const struct zr_scene *scene
 
 static void make_creases(const struct zr_run *run, const struct zr_scene *scene, struct zr_mesh_tables *out)
 {
-    const zr_vec4 **creases = zr_arena_zero(run->arena, scene->mesh_count, sizeof *creases);
+    const struct zr_crease_normals **creases = zr_arena_zero(run->arena, scene->mesh_count, sizeof *creases);
     for (uint32_t i = 0; creases && i < scene->mesh_count; i++)
         if (zr_mesh_lacks_normals(&scene->meshes[i]) && scene->meshes[i].face_count > 0)
             creases[i] = zr_crease_normals_make(run, &scene->meshes[i], scene->picture->crease_degrees);
@@ -75,7 +75,8 @@ static bool has_faces_of(const struct zr_mesh_tables *tables, const struct zr_sc
            a->normals == b->normals;
 }
 
-const zr_vec4 *zr_mesh_table_creases(const struct zr_mesh_tables *tables, const struct zr_scene *scene, uint32_t mesh)
+const struct zr_crease_normals *zr_mesh_table_creases(const struct zr_mesh_tables *tables, const struct zr_scene *scene,
+                                                      uint32_t mesh)
 {
     if (!has_faces_of(tables, scene, mesh) || !tables->creases) return NULL;
     return tables->crease_degrees == scene->picture->crease_degrees ? tables->creases[mesh] : NULL;

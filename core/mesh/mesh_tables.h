@@ -8,15 +8,16 @@
 #define ZR_MESH_TABLES_H
 
 #include "base/run.h"
+#include "mesh/crease_normals.h"
 #include "mesh/edge_mesh.h"
 
 struct zr_mesh_tables {
     const struct zr_mesh *meshes; /* of the scene they were made from */
     uint32_t count;
     float crease_degrees;
-    const zr_vec4 *const *creases;    /* by mesh: crease normals, or NULL; NULL: none */
-    const zr_vec4 *const *normals;    /* by mesh: vertex normals, or NULL; NULL: none */
-    const struct zr_edge_mesh *edges; /* by mesh; NULL: none */
+    const struct zr_crease_normals *const *creases; /* by mesh, or NULL; NULL: none */
+    const zr_vec4 *const *normals;                  /* by mesh: vertex normals, or NULL; NULL: none */
+    const struct zr_edge_mesh *edges;               /* by mesh; NULL: none */
 };
 
 /* Makes the tables that the scene's picture needs, as far as they fit into an eighth of the memory that is left.
@@ -24,7 +25,8 @@ struct zr_mesh_tables {
 enum zr_status zr_mesh_tables_make(const struct zr_run *run, const struct zr_scene *scene, struct zr_mesh_tables *out);
 
 /* Returns the table of a mesh of a scene; NULL if there is none. `tables` may be NULL. */
-const zr_vec4 *zr_mesh_table_creases(const struct zr_mesh_tables *tables, const struct zr_scene *scene, uint32_t mesh);
+const struct zr_crease_normals *zr_mesh_table_creases(const struct zr_mesh_tables *tables, const struct zr_scene *scene,
+                                                      uint32_t mesh);
 const zr_vec4 *zr_mesh_table_normals(const struct zr_mesh_tables *tables, const struct zr_scene *scene, uint32_t mesh);
 const struct zr_edge_mesh *zr_mesh_table_edges(const struct zr_mesh_tables *tables, const struct zr_scene *scene,
                                                uint32_t mesh);

@@ -21,7 +21,7 @@ struct drawing {
     const struct zr_run *run;
     const struct zr_scene *scene;
     struct zr_frame *frame;
-    const zr_vec4 *const *creases;
+    const struct zr_crease_normals *const *creases;
 };
 
 static enum zr_status status_of(const struct drawing *d)
@@ -59,7 +59,7 @@ static enum zr_status draw_bytes(const struct drawing *d)
 static enum zr_status make_creases(struct drawing *d)
 {
     const struct zr_scene *scene = d->scene;
-    const zr_vec4 **creases = zr_arena_zero(d->run->arena, scene->mesh_count, sizeof *creases);
+    const struct zr_crease_normals **creases = zr_arena_zero(d->run->arena, scene->mesh_count, sizeof *creases);
     for (uint32_t i = 0; creases && i < scene->mesh_count; i++) {
         if (!zr_mesh_lacks_normals(&scene->meshes[i]) || scene->meshes[i].face_count == 0) continue;
         creases[i] = zr_mesh_table_creases(scene->tables, scene, i);

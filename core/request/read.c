@@ -187,6 +187,13 @@ static enum zr_status read_model(struct zr_scene_builder *builder, const struct 
     return zr_format_rows[body.format].read(builder, &body, limits, error);
 }
 
+/* True if a mesh is read for this request alone, and its equal positions may be stored once. */
+static bool shares_places(const struct zr_query *query, const struct zr_keeping *keeping)
+{
+    const bool is_kept = query->request->meshes.hash || (keeping && (keeping->from || !keeping->if_views));
+    return !is_kept && zr_query_shares_places(query);
+}
+
 /* Reads the body, or takes the meshes of a kept scene and reads the changed keys. */
 static enum zr_status read_body(struct zr_scene_builder *builder, const struct zr_request *request,
                                 const struct zr_limits *limits, struct zr_error *error)
@@ -216,6 +223,7 @@ static enum zr_status read_scene(const struct zr_run *run, const struct zr_reque
     builder.read_model = read_model;
     enum zr_status status = zr_query_read(request, limits, &builder, &query, run->error);
     if (status != ZR_OK) return status;
+    builder.shares_places = shares_places(&query, keeping);
     status = name_bytes(request, read_body(&builder, request, limits, run->error), run->error);
     if (status == ZR_OK) status = zr_query_apply(&query, run->error);
     if (status != ZR_OK) return status;

@@ -42,6 +42,7 @@ struct zr_scene_builder {
     size_t image_room;
     struct zr_texture *textures;
     size_t texture_room;
+    bool shares_places;                /* meshes may have one position for equal ones: no output tells the difference */
     const struct zr_keeping *keeping;  /* the scene is kept, or changes a kept one; or NULL */
     zr_model_read_fn *read_model;      /* reads the files that a scene names as meshes */
     uint8_t *asset_uses;               /* model file in a scene: flags per asset of the request; otherwise NULL */

@@ -196,7 +196,8 @@ static bool color(struct making *m, const struct zr_draw *draw, struct zr_draw_a
 static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr_attribute *out)
 {
     const size_t number = (size_t)(m->mesh - m->scene->meshes);
-    const zr_vec4 *crease = m->wants->samples && m->wants->crease_normals ? m->wants->crease_normals[number] : NULL;
+    const struct zr_crease_normals *crease =
+        m->wants->samples && m->wants->crease_normals ? m->wants->crease_normals[number] : NULL;
     const enum zr_rate rate = zr_eye_normals_rate(m->mesh, draw->material, crease != NULL);
     const zr_vec4 **normals = &m->normals[rate];
     if (!*normals) {

@@ -46,9 +46,8 @@ struct zr_attribute_wants {
     bool layers;  /* lists of blended fragments, even without colours */
     /* Base colours, normals and points of all draws, for a G-buffer (gbuffer.h). */
     bool samples;
-    /* With `samples`: crease normals per mesh without normals, one per corner, in object space (crease_normals.h).
-     * NULL: none. */
-    const zr_vec4 *const *crease_normals;
+    /* With `samples`: crease normals per mesh without normals, in object space (crease_normals.h). NULL: none. */
+    const struct zr_crease_normals *const *crease_normals;
     struct zr_texture_maps textures; /* textures of colours and samples; empty: untextured */
 };
 

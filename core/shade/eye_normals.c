@@ -10,8 +10,8 @@ enum { NORMALS_PER_RANGE = 1 << 13 };
 
 struct making {
     const struct zr_mesh *mesh;
-    const zr_vec4 *computed; /* vertex normals; NULL: not needed */
-    const zr_vec4 *creases;  /* corner normals, instead; or NULL */
+    const zr_vec4 *computed;                 /* vertex normals; NULL: not needed */
+    const struct zr_crease_normals *creases; /* of corners, instead; or NULL */
     const struct zr_cancel *cancel;
     struct zr_normal_matrix to_eye;
     enum zr_rate rate;
@@ -34,7 +34,7 @@ static zr_vec3 normal_of(const struct making *m, uint32_t i)
     if (m->rate == ZR_RATE_VERTEX) return zr_corner_normal(m->mesh, m->computed, i, 0);
     const zr_vec3 own = zr_corner_normal(m->mesh, m->computed, m->mesh->indices[i], i);
     const bool has_own = own.x != 0.0f || own.y != 0.0f || own.z != 0.0f;
-    return has_own || !m->creases ? own : (zr_vec3){m->creases[i].x, m->creases[i].y, m->creases[i].z};
+    return has_own || !m->creases ? own : zr_crease_normal_of(m->creases, i);
 }
 
 static void make_range(void *context, size_t begin, size_t end)
@@ -55,7 +55,8 @@ uint32_t zr_eye_normals_count(const struct zr_mesh *mesh, enum zr_rate rate)
 }
 
 bool zr_eye_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, const zr_mat4 *object_to_eye,
-                         enum zr_rate rate, const zr_vec4 *crease_normals, const zr_vec4 **vertex_normals, zr_vec4 *out)
+                         enum zr_rate rate, const struct zr_crease_normals *crease_normals,
+                         const zr_vec4 **vertex_normals, zr_vec4 *out)
 {
     struct making making = {.mesh = mesh,
                             .cancel = run->cancel,

@@ -8,6 +8,7 @@
 #include "base/run.h"
 #include "base/team.h"
 #include "core.h"
+#include "mesh/crease_normals.h"
 #include "shade/attribute.h"
 
 /* Returns the rate of normals: ZR_RATE_FACE, ZR_RATE_VERTEX or ZR_RATE_CORNER. Smooth shadings take the mesh's own
@@ -18,10 +19,10 @@ enum zr_rate zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_mat
 /* Returns the number of normals at that rate. */
 uint32_t zr_eye_normals_count(const struct zr_mesh *mesh, enum zr_rate rate);
 
-/* Writes all normals to out[]. crease_normals: per corner, for ZR_RATE_CORNER, or NULL. *vertex_normals: as in
+/* Writes all normals to out[]. crease_normals: for ZR_RATE_CORNER, or NULL. *vertex_normals: as in
  * zr_colors_make. Returns false if the arena has failed. Returns early if cancelled. */
 bool zr_eye_normals_make(const struct zr_run *run, const struct zr_mesh *mesh, const zr_mat4 *object_to_eye,
-                         enum zr_rate rate, const zr_vec4 *crease_normals, const zr_vec4 **vertex_normals,
-                         zr_vec4 *out);
+                         enum zr_rate rate, const struct zr_crease_normals *crease_normals,
+                         const zr_vec4 **vertex_normals, zr_vec4 *out);
 
 #endif

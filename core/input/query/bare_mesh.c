@@ -1,6 +1,7 @@
 /* Makes a scene of a bare mesh: {"meshes": [the body]}, with the keys of the query and the look studio by default. */
 #include "input/formats/formats.h"
 #include "input/formats/input.h"
+#include "input/query/axis_colors.h"
 #include "input/query/cloud.h"
 #include "input/query/parameters.h"
 #include "input/scene/json_model_scene.h"
@@ -8,6 +9,8 @@
 #include "render_request.h"
 #include "scene/camera/view_set.h"
 #include "scene/defaults.h"
+#include "scene/output.h"
+#include "scene/parsed_picture.h"
 #include "scene/picture.h"
 
 /* Places the meshes in the axes of the file, by its nodes if it has any. zr_query_orient turns them. */
@@ -204,6 +207,24 @@ static enum zr_status build(struct zr_query *query, struct zr_error *error)
     zr_query_report(query->request, ZR_BAD_SCENE, &faults, error);
     if (faults.count > 0) return error->status;
     return zr_arena_ok(root->json.arena) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* From this crease angle on, a warning of doubled faces depends on the number of positions. */
+#define ALL_AROUND_DEGREES 179.0f
+
+bool zr_query_shares_places(const struct zr_query *query)
+{
+    const struct zr_parsed_scene *root = &query->given;
+    const struct zr_scene *scene = root->scene;
+    const struct zr_view *view = &scene->views[0];
+    bool is_color = true;
+    if (!root->is_bare || !root->look || !root->look->picture->is_linear) return false;
+    for (uint32_t i = 0; i < view->output_count; i++)
+        is_color = is_color && view->outputs[i].channel == ZR_CHANNEL_COLOR;
+    const bool is_all_around =
+        zr_scene_gives(root, ZR_SCENE_CREASE_DEGREES) && root->picture->given.crease_degrees >= ALL_AROUND_DEGREES;
+    return is_color && !is_all_around && scene->sections.count == 0 && !zr_part_keys_are_given(&scene->parts) &&
+           !zr_axis_colors_are_given(scene);
 }
 
 enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error)

@@ -1,4 +1,4 @@
-/* Reads STL, binary and ASCII. Each facet has its own vertices. Normals are ignored, since exporters often write zeros
+/* Reads STL, binary and ASCII. Each facet has its own vertices, unless the builder shares places. Normals are ignored, since exporters often write zeros
  * or wrong ones. Source: 3D Systems, StereoLithography Interface Specification, 1989. */
 #include "input/formats/input.h"
 
@@ -8,6 +8,7 @@
 
 #include "base/team.h"
 #include "input/stl/stl_file.h"
+#include "input/stl/stl_weld.h"
 #include "input/text/parts.h"
 #include "input/text/recenter.h"
 #include "input/text/text.h"
@@ -16,17 +17,20 @@
 enum {
     HEADER_BYTES = 80,
     COUNT_END = HEADER_BYTES + 4,
-    TRIANGLE_BYTES = 50,     /* normal, three vertices, two bytes of attributes */
-    VERTICES_AT = 12,        /* offset in a triangle, after its normal */
-    ATTRIBUTES_AT = 48,      /* after its vertices */
-    PART_TRIANGLES = 1 << 13 /* read in a tenth of a millisecond */
+    TRIANGLE_BYTES = ZR_STL_TRIANGLE_BYTES,
+    VERTICES_AT = ZR_STL_VERTICES_AT,
+    ATTRIBUTES_AT = 48,       /* after its vertices */
+    PART_TRIANGLES = 1 << 13, /* read in a tenth of a millisecond */
+    SHARED_LEAST = 1 << 12,   /* triangles of a file whose equal vertices are stored once */
+    CORNERS_PER_CANCEL_CHECK = 1 << 16
 };
 
 struct binary {
     const struct zr_limits *limits;
-    const char *triangles; /* bytes of the first triangle */
-    size_t count;
+    const char *triangles;  /* bytes of the first triangle */
+    size_t count, vertices; /* triangles; positions */
     zr_vec4 *positions;
+    uint32_t *hashes;                        /* of the vertices, instead of positions; or NULL */
     atomic_uint any, all, unmarked, colored; /* as in zr_stl_attributes, over all triangles */
     struct zr_stl_colors colors;
     zr_vec4 *face_colors;
@@ -70,6 +74,16 @@ static bool is_finite(const char *triangle)
     return sum == 0.0f;
 }
 
+static void put_corner(const struct binary *binary, size_t corner, const float v[3])
+{
+    uint32_t words[3];
+    memcpy(words, v, sizeof words);
+    if (binary->hashes)
+        binary->hashes[corner] = zr_stl_hash(words);
+    else
+        binary->positions[corner] = (zr_vec4){v[0], v[1], v[2], 1};
+}
+
 /* Reads triangles begin..end - 1, up to `faults` faults. Returns the bits that any attribute has. */
 static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, size_t faults, struct zr_error *error)
 {
@@ -79,7 +93,7 @@ static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, 
     for (size_t i = begin; i < end && error->count < faults; i++, triangle += TRIANGLE_BYTES) {
         any |= read_u16(triangle + ATTRIBUTES_AT);
         if (!is_finite(triangle)) {
-            binary->positions[i * 3] = (zr_vec4){NAN, 0, 0, 1};
+            if (!binary->hashes) binary->positions[i * 3] = (zr_vec4){NAN, 0, 0, 1};
             atomic_store_explicit(&binary->has_holes, true, memory_order_relaxed);
             continue;
         }
@@ -92,7 +106,7 @@ static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, 
                 is_far = v[axis] < -near || v[axis] > near || is_far;
             }
             if (is_far) atomic_store_explicit(&binary->is_far, true, memory_order_relaxed);
-            binary->positions[i * 3 + corner] = (zr_vec4){v[0], v[1], v[2], 1};
+            put_corner(binary, i * 3 + corner, v);
             if (!good)
                 zr_error_add(error, ZR_BAD_SCENE, NULL,
                              "triangle %zu of %zu, vertex %zu: (%.9g, %.9g, %.9g) is beyond the limit of %.9g", i + 1,
@@ -100,6 +114,11 @@ static unsigned read_triangles(struct binary *binary, size_t begin, size_t end, 
         }
     }
     return any;
+}
+
+static size_t parts_of(const struct binary *binary)
+{
+    return (binary->count + PART_TRIANGLES - 1) / PART_TRIANGLES;
 }
 
 static size_t end_of_part(const struct binary *binary, size_t part)
@@ -135,13 +154,14 @@ static bool color_part(void *context, size_t part)
     return true;
 }
 
-static enum zr_status read_colors(const struct zr_run *run, struct binary *binary, const char *header, size_t parts)
+static enum zr_status read_colors(const struct zr_run *run, struct binary *binary)
 {
+    const size_t parts = parts_of(binary);
     const struct zr_stl_attributes bits = {.any = (uint16_t)binary->any,
                                            .all = (uint16_t)binary->all,
                                            .unmarked = (uint16_t)binary->unmarked,
                                            .colored = (uint16_t)binary->colored};
-    binary->colors = zr_stl_colors_of(header, &bits);
+    binary->colors = zr_stl_colors_of(binary->triangles - COUNT_END, &bits);
     if (binary->colors.dialect == ZR_STL_PLAIN) return ZR_OK;
     binary->face_colors = zr_arena_alloc(run->arena, binary->count, sizeof *binary->face_colors);
     if (!binary->face_colors) return ZR_NO_MEMORY;
@@ -163,6 +183,29 @@ static void drop_holes(struct binary *binary, struct zr_scene_builder *builder)
     zr_warning_list_add(builder->arena, &builder->warnings, "STL: %zu %s left out", holes,
                         holes == 1 ? "triangle is not finite and is" : "triangles are not finite and are");
     binary->count = kept;
+    binary->vertices = 3 * kept;
+}
+
+/* Reads all triangles. Returns the number of the first part with a fault, or of all. */
+static size_t read_parts(const struct zr_run *run, struct binary *binary)
+{
+    binary->all = UINT16_MAX;
+    return zr_parts_read(run->team, run->cancel, 0, parts_of(binary), read_part, binary);
+}
+
+/* Reads colours, and moves far positions. */
+static enum zr_status finish(const struct zr_run *run, struct binary *binary, struct zr_scene_builder *builder,
+                             struct zr_stl *out)
+{
+    enum zr_status status = read_colors(run, binary);
+    if (binary->has_holes) drop_holes(binary, builder);
+    if (status == ZR_OK && (binary->is_far || zr_recenter_is_remote(binary->positions, binary->vertices)))
+        status = zr_recenter_shift(run, binary->limits, binary->positions, binary->vertices, &builder->scene->origin);
+    *out = (struct zr_stl){.vertices = binary->vertices,
+                           .facets = binary->count,
+                           .positions = binary->positions,
+                           .face_colors = binary->face_colors};
+    return status;
 }
 
 static enum zr_status read_binary(struct zr_scene_builder *builder, const struct zr_request *request,
@@ -173,23 +216,77 @@ static enum zr_status read_binary(struct zr_scene_builder *builder, const struct
     struct binary binary = {.limits = limits,
                             .triangles = request->bytes + COUNT_END,
                             .count = count,
-                            .positions = zr_arena_alloc(run.arena, count * 3, sizeof *binary.positions),
-                            .all = UINT16_MAX};
+                            .vertices = 3 * count,
+                            .positions = zr_arena_alloc(run.arena, count * 3, sizeof *binary.positions)};
     if (!binary.positions) return ZR_NO_MEMORY;
-    const size_t parts = (count + PART_TRIANGLES - 1) / PART_TRIANGLES;
-    const size_t failed = zr_parts_read(run.team, run.cancel, 0, parts, read_part, &binary);
+    const size_t failed = read_parts(&run, &binary);
     if (zr_is_cancelled(run.cancel)) return ZR_CANCELLED;
-    if (failed < parts) {
+    if (failed < parts_of(&binary)) {
         read_triangles(&binary, failed * PART_TRIANGLES, count, ZR_ERROR_ITEMS, error);
         return error->status;
     }
-    enum zr_status status = read_colors(&run, &binary, request->bytes, parts);
-    if (binary.has_holes) drop_holes(&binary, builder);
-    const size_t kept = binary.count;
-    if (status == ZR_OK && (binary.is_far || zr_recenter_is_remote(binary.positions, kept * 3)))
-        status = zr_recenter_shift(&run, limits, binary.positions, kept * 3, &builder->scene->origin);
-    *out = (struct zr_stl){3 * kept, kept, binary.positions, NULL, binary.face_colors};
+    return finish(&run, &binary, builder, out);
+}
+
+/* ---- binary, with equal vertices stored once ---- */
+
+/* Finds the first of equal vertices. Returns the number of different ones; 0: they cannot be shared. */
+static size_t weld(const struct zr_run *run, struct binary *binary, uint32_t *firsts)
+{
+    struct zr_arena scratch = zr_arena_open_scratch(run->arena);
+    const struct zr_run inner = zr_run_in(run, &scratch);
+    size_t vertices = 0;
+    binary->hashes = zr_arena_alloc(&scratch, binary->count * 3, sizeof *binary->hashes);
+    if (binary->hashes && read_parts(run, binary) == parts_of(binary) && !binary->has_holes)
+        vertices = zr_stl_weld(&inner, binary->triangles, binary->count * 3, binary->hashes, firsts);
+    zr_arena_close_scratch(&scratch, run->arena);
+    binary->hashes = NULL;
+    return vertices;
+}
+
+/* Replaces first corners by numbers of positions, and writes these. A first corner has its number already. */
+static bool place(const struct zr_run *run, const struct binary *binary, uint32_t *indices)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < 3 * binary->count; i++) {
+        if (i % CORNERS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(run->cancel)) return false;
+        const uint32_t first = indices[i];
+        indices[i] = first < i ? indices[first] : count;
+        if (first < i) continue;
+        const char *at = zr_stl_corner(binary->triangles, i);
+        binary->positions[count++] = (zr_vec4){read_f32(at), read_f32(at + 4), read_f32(at + 8), 1};
+    }
+    return true;
+}
+
+/* Reads a file without faults whose triangles have vertices in common. Others leave *out without facets. */
+static enum zr_status read_shared(struct zr_scene_builder *builder, const struct zr_request *request,
+                                  const struct zr_limits *limits, struct zr_stl *out, struct zr_error *error)
+{
+    const struct zr_run run = {builder->arena, builder->arena, builder->team, request->cancel, error};
+    const size_t count = read_u32(request->bytes + HEADER_BYTES);
+    struct binary binary = {.limits = limits, .triangles = request->bytes + COUNT_END, .count = count};
+    uint32_t *indices = zr_arena_alloc(run.arena, count * 3, sizeof *indices);
+    binary.vertices = indices ? weld(&run, &binary, indices) : 0;
+    if (zr_is_cancelled(run.cancel)) return ZR_CANCELLED;
+    if (binary.vertices == 0) zr_arena_trim(run.arena, indices, count * 3, 0, sizeof *indices);
+    if (binary.vertices > 0) binary.positions = zr_arena_alloc(run.arena, binary.vertices, sizeof *binary.positions);
+    if (!zr_arena_ok(run.arena)) return ZR_NO_MEMORY;
+    if (binary.vertices == 0) return ZR_OK;
+    if (!place(&run, &binary, indices)) return ZR_CANCELLED;
+    const enum zr_status status = finish(&run, &binary, builder, out);
+    out->indices = indices;
     return status;
+}
+
+static enum zr_status read_binary_file(struct zr_scene_builder *builder, const struct zr_request *request,
+                                       const struct zr_limits *limits, struct zr_stl *out, struct zr_error *error)
+{
+    if (builder->shares_places && read_u32(request->bytes + HEADER_BYTES) >= SHARED_LEAST) {
+        const enum zr_status status = read_shared(builder, request, limits, out, error);
+        if (status != ZR_OK || out->facets > 0) return status;
+    }
+    return read_binary(builder, request, limits, out, error);
 }
 
 /* ---- both ---- */
@@ -278,7 +375,7 @@ static enum zr_status read_any(struct zr_scene_builder *builder, const struct zr
         zr_warning_list_add(builder->arena, &builder->warnings,
                             "STL: %llu byte%s behind the last of %u triangles ignored",
                             (unsigned long long)(size - wanted), size - wanted == 1 ? "" : "s", count);
-    return read_binary(builder, request, limits, out, error);
+    return read_binary_file(builder, request, limits, out, error);
 }
 
 enum zr_status zr_read_STL(struct zr_scene_builder *builder, const struct zr_request *request,
@@ -293,6 +390,7 @@ enum zr_status zr_read_STL(struct zr_scene_builder *builder, const struct zr_req
     mesh->position_count = (uint32_t)stl.vertices;
     mesh->positions = stl.positions;
     mesh->face_count = (uint32_t)stl.facets;
+    mesh->indices = stl.indices;
     mesh->face_offsets = stl.offsets;
     mesh->face_colors = stl.face_colors;
     return ZR_OK;

@@ -24,7 +24,8 @@ enum { ZR_STL_TRIANGLES_MAX = 1 << 29 };
 struct zr_stl {
     size_t vertices, facets;
     const zr_vec4 *positions;
-    const uint32_t *offsets;    /* facets + 1: the first vertex of each; NULL: all facets are triangles */
+    const uint32_t *indices;    /* of the facets' corners; NULL: consecutive positions */
+    const uint32_t *offsets;    /* facets + 1: the first corner of each; NULL: all facets are triangles */
     const zr_vec4 *face_colors; /* or NULL */
 };
 

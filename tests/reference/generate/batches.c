@@ -36,8 +36,7 @@ static zr_vec3 vertex_normal(const struct batches_source *s, uint32_t slot)
     zr_vec3 given = no_normal;
     if (mesh->normal_count > 0) given = mesh->normals[mesh->normal_indices ? mesh->normal_indices[slot] : vertex];
     if (given.x != 0.0f || given.y != 0.0f || given.z != 0.0f) return given;
-    const zr_vec4 *crease = s->creases ? &s->creases[slot] : NULL;
-    if (crease) return (zr_vec3){crease->x, crease->y, crease->z};
+    if (s->creases) return zr_crease_normal_of(s->creases, slot);
     if (!s->computed) return no_normal;
     return (zr_vec3){s->computed[vertex].x, s->computed[vertex].y, s->computed[vertex].z};
 }

@@ -27,8 +27,8 @@ struct batches_source {
     const zr_mat4 *modelview;
     const zr_vec3 *normal_rows; /* as struct reference_batch has them */
     const zr_mat4 *object_to_eye;
-    const zr_vec4 *computed; /* normals of vertices; NULL: none were needed so far */
-    const zr_vec4 *creases;  /* of corners, likewise, for BATCHES_LIGHT */
+    const zr_vec4 *computed;                 /* normals of vertices; NULL: none were needed so far */
+    const struct zr_crease_normals *creases; /* likewise, for BATCHES_LIGHT */
     bool mirrored;
     const struct zr_material *material; /* of the face under way */
     bool smooth;                        /* what the purpose wants to vary does so over the face */

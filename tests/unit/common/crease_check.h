@@ -30,10 +30,20 @@ static inline float any(void)
     return (float)random_range(&numbers, -1.0, 1.0);
 }
 
+/* Returns the normal of each corner. */
 static inline const zr_vec4 *make(struct zr_team *team, const struct zr_mesh *mesh, float degrees)
 {
-    const zr_vec4 *normals = zr_crease_normals_make(&(struct zr_run){.arena = &arena, .team = team}, mesh, degrees);
+    const struct zr_crease_normals *made =
+        zr_crease_normals_make(&(struct zr_run){.arena = &arena, .team = team}, mesh, degrees);
+    assert_non_null(made);
+    const uint32_t corners = mesh->face_offsets[mesh->face_count];
+    zr_vec4 *normals = zr_arena_alloc(&arena, corners, sizeof *normals);
     assert_non_null(normals);
+    for (uint32_t i = 0; i < corners; i++) {
+        const zr_vec3 n = zr_crease_normal_of(made, i);
+        assert_true(zr_crease_number_of(made, i) < made->count);
+        normals[i] = (zr_vec4){n.x, n.y, n.z, 0.0f};
+    }
     return normals;
 }
 

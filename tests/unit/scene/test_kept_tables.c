@@ -38,7 +38,7 @@ TEST(changes_share_the_creases_of_the_kept_scene)
     uint32_t shared = 0;
     assert_int_equal(keeping_change(keeping, request), ZR_OK);
     for (uint32_t i = 0; i < kept->mesh_count; i++) {
-        const zr_vec4 *creases = zr_mesh_table_creases(kept->tables, kept, i);
+        const struct zr_crease_normals *creases = zr_mesh_table_creases(kept->tables, kept, i);
         assert_ptr_equal(zr_mesh_table_creases(keeping->scene->tables, keeping->scene, i), creases);
         shared += creases != NULL;
     }
