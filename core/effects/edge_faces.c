@@ -9,11 +9,10 @@ static struct corners corners_of(const struct zr_edge_faces *faces, uint32_t own
 {
     const struct zr_draw *draw = zr_draw_of(faces->geometry, owner - 1);
     const struct zr_draw_attributes *of_draw = &faces->of_draw[draw - faces->geometry->draws];
-    const zr_vec4 *points = of_draw->attributes[ZR_ATTRIBUTE_POINT].values;
     struct corners out;
     for (uint32_t k = 0; k < 3; k++) {
-        const zr_vec4 *p = &points[zr_draw_corner(draw, owner - 1 - draw->first, k)];
-        out.at[k] = (zr_vec3){p->x, p->y, p->z};
+        const zr_vec4 p = zr_draw_point(of_draw, zr_draw_corner(draw, owner - 1 - draw->first, k));
+        out.at[k] = (zr_vec3){p.x, p.y, p.z};
     }
     return out;
 }

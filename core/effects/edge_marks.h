@@ -27,7 +27,7 @@ _Static_assert(ZR_TILE_SIZE == 64, "a row of a tile is a word");
  * zr_edges_finish returns. */
 struct zr_edge_faces {
     const struct zr_geometry *geometry;
-    const struct zr_draw_attributes *of_draw; /* with ZR_ATTRIBUTE_POINT */
+    const struct zr_draw_attributes *of_draw; /* with points (zr_draw_has_points) */
 };
 
 /* Silhouette: each point is farther than limit * w from the plane of the other; w is that of `scale`, the larger value

@@ -1,5 +1,6 @@
 #include "geometry/transform.h"
 
+#include "base/mat4_simd.h"
 #include "base/mutant.h"
 #include "base/prefetch.h"
 #include "base/simd/simd.h"
@@ -9,27 +10,18 @@ _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float) && sizeof(struct zr_window_v
 
 /* Matrix and viewport, broadcast to all lanes. */
 struct mapping {
-    zr_vf m[16];
+    struct zr_mat4_v m;
     zr_vf scale_x, scale_y, trans_x, trans_y;
 };
 
 static inline struct mapping mapping_make(const zr_mat4 *m, const struct zr_viewport *viewport)
 {
-    struct mapping c;
-    for (int i = 0; i < 16; i++)
-        c.m[i] = zr_vf_set(m->m[i]);
+    struct mapping c = {.m = zr_spread_mat4_v(m)};
     c.scale_x = zr_vf_set(viewport->scale_x);
     c.scale_y = zr_vf_set(viewport->scale_y);
     c.trans_x = zr_vf_set(viewport->trans_x);
     c.trans_y = zr_vf_set(viewport->trans_y);
     return c;
-}
-
-/* Equals zr_mat4_row. */
-static inline zr_vf row(const struct mapping *c, int r, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
-{
-    x = x * c->m[r], y = y * c->m[4 + r], z = z * c->m[8 + r], w = w * c->m[12 + r];
-    return ZR_MUTANT(sums_from_the_right, ((x + y) + z) + w, x + (y + (z + w)));
 }
 
 static inline zr_vi bit_where_not(zr_vm inside, int bit)
@@ -105,8 +97,8 @@ static inline unsigned transform_group(const struct mapping *c, const zr_vec4 *p
 {
     zr_vf x, y, z, w;
     zr_vf_load_fours((const float *)positions, &x, &y, &z, &w);
-    const struct clip_v clip = {row(c, 0, x, y, z, w), row(c, 1, x, y, z, w), row(c, 2, x, y, z, w),
-                                row(c, 3, x, y, z, w)};
+    const struct clip_v clip = {zr_mat4_row_v(&c->m, 0, x, y, z, w), zr_mat4_row_v(&c->m, 1, x, y, z, w),
+                                zr_mat4_row_v(&c->m, 2, x, y, z, w), zr_mat4_row_v(&c->m, 3, x, y, z, w)};
     const zr_vf oow = zr_vf_set(1.0f) / clip.w, half = zr_vf_set(0.5f);
     const zr_vf wx = on_grid(over_w(clip.x, clip.w, oow) * c->scale_x + c->trans_x);
     const zr_vf wy = on_grid(over_w(clip.y, clip.w, oow) * c->scale_y + c->trans_y);

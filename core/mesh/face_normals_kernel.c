@@ -1,29 +1,24 @@
 #include "base/prefetch.h"
-#include "base/vec3_simd.h"
 #include "mesh/face_normals.h"
+#include "mesh/face_normals_simd.h"
 
 /* Loads corner `k` of ZR_LANES triangles, one per lane. */
 static inline struct zr_vec3_v load_corner(const struct zr_mesh *mesh, const uint32_t *indices, size_t k)
 {
-    zr_vf x, y, z, w;
+    struct zr_vec3_v v;
+    zr_vf w;
 #define CORNER(i) (&mesh->positions[indices[3 * (size_t)(i) + k]].x)
-    ZR_LOAD4(x, y, z, w, CORNER);
+    ZR_LOAD4(v.x, v.y, v.z, w, CORNER);
 #undef CORNER
-    const zr_vf one = zr_vf_set(1.0f), zero = zr_vf_set(0.0f);
-    if (zr_vm_bits(zr_vf_eq(w, one)) == ZR_ALL_BITS) return (struct zr_vec3_v){x, y, z};
-    w = zr_vf_select(zr_vf_eq(w, zero), one, w); /* a direction */
-    return (struct zr_vec3_v){x / w, y / w, z / w};
+    return zr_over_w_v(v, w);
 }
 
-/* Equals zr_normal_of_face, whose sum has a single term for a triangle. */
 static inline void put_normals(const struct zr_mesh *mesh, const uint32_t *indices, zr_vec4 *out)
 {
-    const struct zr_vec3_v origin = load_corner(mesh, indices, 0);
-    const struct zr_vec3_v a = zr_minus_v(load_corner(mesh, indices, 1), origin),
-                           b = zr_minus_v(load_corner(mesh, indices, 2), origin);
-    const zr_vf zero = zr_vf_set(0.0f);
-    zr_vf_store4((float *)out, zero + (a.y * b.z - a.z * b.y), zero + (a.z * b.x - a.x * b.z),
-                 zero + (a.x * b.y - a.y * b.x), zero);
+    const struct zr_vec3_v corners[3] = {load_corner(mesh, indices, 0), load_corner(mesh, indices, 1),
+                                         load_corner(mesh, indices, 2)};
+    const struct zr_vec3_v normal = zr_triangle_normal_v(corners);
+    zr_vf_store4((float *)out, normal.x, normal.y, normal.z, zr_vf_set(0.0f));
 }
 
 /* Prefetch distance, in triangles: saves a tenth of the time of a million normals. */

@@ -1,6 +1,5 @@
 #include "shade/draw_attributes.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "base/fast.h"
@@ -8,7 +7,6 @@
 #include "mesh/mesh_tables.h"
 #include "scene/camera/camera.h"
 #include "shade/colors.h"
-#include "shade/eye_normals.h"
 #include "shade/texcoords.h"
 
 struct making {
@@ -19,7 +17,6 @@ struct making {
     const struct zr_attribute_wants *wants;
     bool colors, backs;             /* wanted; backs: in colours of their own */
     bool any_see_through;           /* some material is masked or blended: colours must be floats */
-    const zr_vec4 *points;          /* one per window vertex; NULL: not wanted */
     const zr_vec4 **vertex_normals; /* per mesh; NULL: not needed so far */
 
     /* the current instance */
@@ -30,7 +27,9 @@ struct making {
     bool has_colors;
     struct zr_colors mesh_colors;
     const zr_vec4 *line_colors;
-    const zr_vec4 *normals[ZR_RATE_CORNER + 1];
+    const zr_vec4 *points, *normals[ZR_RATE_CORNER + 1]; /* arrays; NULL: not made */
+    const struct zr_eye_vectors *loaded_points;          /* instead of arrays */
+    const struct zr_eye_normals *loaded_normals[ZR_RATE_CORNER + 1];
     const zr_vec4 *texcoords; /* transformed by texcoords_of; that NULL: as in the mesh */
     const struct zr_texture *texcoords_of;
     unsigned repeat;         /* of `texcoords` */
@@ -46,12 +45,18 @@ static size_t count_with_made(const struct making *m, enum zr_rate rate, uint32_
     return (size_t)own + (zr_rate_is_flat(rate) ? 0 : m->made);
 }
 
+/* Returns true if the request is cancelled; looks at it every 4096 cuts, which take less than a millisecond. */
+static bool is_stopped(const struct making *m, uint32_t cut)
+{
+    return cut % 4096 == 0 && zr_is_cancelled(m->run->cancel);
+}
+
 /* Writes the values of clipped vertices behind the instance's `own` ones. */
 static void extend(const struct making *m, enum zr_rate rate, uint32_t own, zr_vec4 *values)
 {
     if (zr_rate_is_flat(rate)) return;
     const uint32_t first = m->instance->first_vertex + m->mesh->position_count;
-    for (uint32_t i = m->cut_begin; i < m->cut_end; i++) {
+    for (uint32_t i = m->cut_begin; i < m->cut_end && !is_stopped(m, i); i++) {
         const struct zr_cut *cut = &m->geometry->cuts[i];
         zr_cut_values(cut, values, rate == ZR_RATE_VERTEX ? cut->corners : cut->slots,
                       values + own + (cut->first_vertex - first));
@@ -74,9 +79,10 @@ static void begin_instance(struct making *m, uint32_t number)
     m->cut_end = cut;
     m->made = end - m->instance->first_vertex - m->mesh->position_count;
     m->has_colors = false;
-    m->line_colors = NULL;
-    m->texcoords = m->tangents = NULL;
+    m->loaded_points = NULL;
+    m->line_colors = m->points = m->texcoords = m->tangents = NULL;
     memset(m->normals, 0, sizeof m->normals);
+    memset(m->loaded_normals, 0, sizeof m->loaded_normals);
 }
 
 /* ---- colours ---- */
@@ -193,59 +199,99 @@ static bool color(struct making *m, const struct zr_draw *draw, struct zr_draw_a
 
 /* ---- normals and points ---- */
 
-static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr_attribute *out)
+/* Writes the values of `count` numbers to out[]. */
+typedef void put_fn(const struct making *m, const void *from, const uint32_t *numbers, uint32_t count, zr_vec4 *out);
+
+static bool are_loaded(const struct making *m)
+{
+    return m->geometry->vertex_count >= ZR_LOADED_VERTICES;
+}
+
+/* Makes the values of clipped vertices alone. `put` writes those of three numbers of `from`. */
+static const zr_vec4 *make_cut(const struct making *m, enum zr_rate rate, put_fn *put, const void *from)
+{
+    static const uint32_t own[3] = {0, 1, 2};
+    if (m->made == 0 || zr_rate_is_flat(rate)) return NULL;
+    const uint32_t first = m->instance->first_vertex + m->mesh->position_count;
+    zr_vec4 *values = zr_arena_alloc(m->run->arena, m->made, sizeof *values);
+    for (uint32_t i = m->cut_begin; values && i < m->cut_end && !is_stopped(m, i); i++) {
+        const struct zr_cut *cut = &m->geometry->cuts[i];
+        zr_vec4 corners[3];
+        put(m, from, rate == ZR_RATE_VERTEX ? cut->corners : cut->slots, cut->corner_count, corners);
+        zr_cut_values(cut, corners, own, values + (cut->first_vertex - first));
+    }
+    return values;
+}
+
+static void put_normals(const struct making *m, const void *from, const uint32_t *numbers, uint32_t count, zr_vec4 *out)
+{
+    zr_eye_normals_of(m->run, from, numbers, count, out);
+}
+
+/* Makes the normals of the mesh for the instance: an array, or their input. */
+static bool make_normals(struct making *m, struct zr_eye_normals *from)
+{
+    const enum zr_rate rate = from->rate;
+    if (are_loaded(m) && zr_eye_normals_are_single(from)) {
+        from->cut = make_cut(m, rate, put_normals, from);
+        m->loaded_normals[rate] = zr_arena_copy(m->run->arena, from, sizeof *from);
+    } else {
+        zr_vec4 *made = zr_arena_alloc(m->run->arena, count_with_made(m, rate, from->count), sizeof *made);
+        if (!made) return false;
+        zr_eye_normals_make(m->run, from, made);
+        extend(m, rate, from->count, made);
+        m->normals[rate] = made;
+    }
+    return zr_arena_ok(m->run->arena);
+}
+
+static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
     const size_t number = (size_t)(m->mesh - m->scene->meshes);
     const struct zr_crease_normals *crease =
         m->wants->samples && m->wants->crease_normals ? m->wants->crease_normals[number] : NULL;
     const enum zr_rate rate = zr_eye_normals_rate(m->mesh, draw->material, crease != NULL);
-    const zr_vec4 **normals = &m->normals[rate];
-    if (!*normals) {
-        const uint32_t own = zr_eye_normals_count(m->mesh, rate);
-        zr_vec4 *made = zr_arena_alloc(m->run->arena, count_with_made(m, rate, own), sizeof *made);
-        if (!made ||
-            !zr_eye_normals_make(m->run, m->mesh, &m->instance->to_eye, rate, crease, &m->vertex_normals[number], made))
-            return false;
-        extend(m, rate, own, made);
-        *normals = made;
-    }
-    *out = (struct zr_attribute){rate, *normals};
+    struct zr_eye_normals from;
+    if (!m->normals[rate] && !m->loaded_normals[rate] &&
+        (!zr_eye_normals_find(m->run, m->mesh, &m->instance->to_eye, rate, crease, &m->vertex_normals[number], &from) ||
+         !make_normals(m, &from)))
+        return false;
+    of_draw->normals = m->loaded_normals[rate];
+    of_draw->attributes[ZR_ATTRIBUTE_NORMAL] = (struct zr_attribute){rate, m->normals[rate]};
     return true;
 }
 
-/* Returns the distance of a vertex along the view axis, for fog; `p` is the vertex in eye space. */
-static float fog_depth(const zr_mat4 *to_eye, zr_vec4 position, zr_vec4 p)
+static void put_points(const struct making *m, const void *from, const uint32_t *numbers, uint32_t count, zr_vec4 *out)
 {
-    const float *m = to_eye->m;
-    const float from_last = ((m[14] * position.w + m[10] * position.z) + m[6] * position.y) + m[2] * position.x;
-    const float right = ZR_MUTANT(older_mesa, p.z, from_last), wrong = ZR_MUTANT(older_mesa, from_last, p.z);
-    const float z = ZR_MUTANT(fog_z_other_way, right, wrong);
-    return fabsf(p.w != 0.0f ? z / p.w : z);
+    (void)m;
+    for (uint32_t k = 0; k < count; k++)
+        out[k] = zr_eye_vector(from, numbers[k]);
 }
 
-/* Makes the points of all window vertices. */
+/* Makes the points of the instance: an array, or their input. */
 static bool make_points(struct making *m)
 {
-    const struct zr_geometry *g = m->geometry;
-    const zr_vec4 eye = m->out->eye;
-    zr_vec4 *points = zr_arena_alloc(m->run->arena, g->vertex_count, sizeof *points);
-    if (!points) return false;
-    m->points = points; /* even if cancelled half-way */
-    for (uint32_t number = 0; number < m->scene->instance_count; number++) {
-        begin_instance(m, number);
-        zr_vec4 *of_instance = points + m->instance->first_vertex;
-        if (zr_is_cancelled(m->run->cancel)) break;
-        for (uint32_t i = 0; i < m->mesh->position_count; i++) {
-            const zr_vec4 p = zr_mat4_apply(&m->instance->to_eye, m->mesh->positions[i]);
-            of_instance[i] = p;
-            if (eye.w != 0.0f)
-                of_instance[i] = (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
-            of_instance[i].w = fog_depth(&m->instance->to_eye, m->mesh->positions[i], p);
-        }
-        extend(m, ZR_RATE_VERTEX, m->mesh->position_count, of_instance);
+    const uint32_t own = m->mesh->position_count;
+    struct zr_eye_vectors from = {
+        .positions = m->mesh->positions, .count = own, .to_eye = m->instance->to_eye, .eye = m->out->eye};
+    if (are_loaded(m)) {
+        from.cut = make_cut(m, ZR_RATE_VERTEX, put_points, &from);
+        m->loaded_points = zr_arena_copy(m->run->arena, &from, sizeof from);
+    } else {
+        zr_vec4 *made = zr_arena_alloc(m->run->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
+        if (!made) return false;
+        zr_eye_vectors_make(m->run, &from, made);
+        extend(m, ZR_RATE_VERTEX, own, made);
+        m->points = made;
     }
-    m->instance = NULL;
-    m->cut_end = 0;
+    return zr_arena_ok(m->run->arena);
+}
+
+static bool find_points(struct making *m, struct zr_draw_attributes *of_draw)
+{
+    if (!m->points && !m->loaded_points && !make_points(m)) return false;
+    of_draw->points = m->loaded_points;
+    of_draw->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points};
     return true;
 }
 
@@ -318,10 +364,8 @@ static bool make_of_draw(struct making *m, const struct zr_draw *draw, struct zr
     if (textured && m->wants->samples && zr_material_has_tangents(draw->material) &&
         !find_tangents(m, &of_draw->attributes[ZR_ATTRIBUTE_TANGENT]))
         return false;
-    if (of_draw->is_per_pixel || m->wants->samples)
-        of_draw->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
-    return of_wires || !(by_normals || m->wants->normals || m->wants->samples) ||
-           find_normals(m, draw, &of_draw->attributes[ZR_ATTRIBUTE_NORMAL]);
+    if ((of_draw->is_per_pixel || m->wants->samples) && !find_points(m, of_draw)) return false;
+    return of_wires || !(by_normals || m->wants->normals || m->wants->samples) || find_normals(m, draw, of_draw);
 }
 
 static void look_at_scene(struct making *m)
@@ -372,8 +416,7 @@ enum zr_status zr_scene_attributes_make(const struct zr_run *run, const struct z
     else
         attributes->lighting = zr_lights_make(run->arena, scene, camera);
     look_at_scene(&m);
-    if (!zr_arena_ok(run->arena) || ((attributes->any_per_pixel || wants->samples) && !make_points(&m)))
-        return ZR_NO_MEMORY;
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < geometry->draw_count; i++) {
         const struct zr_draw *draw = &geometry->draws[i];
         if (m.instance != &geometry->instances[draw->instance]) begin_instance(&m, draw->instance);

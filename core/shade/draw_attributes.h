@@ -1,7 +1,9 @@
 /* draw_attributes.h - shade: the vertex attributes of each draw: colours, and the inputs of its shading and channels.
  *
- * All values are made before visibility, so vertices are lit once. Vertices that clipping made get interpolated values
- * (geometry/cut.h), from colours that are lit and clamped to 0..1.
+ * All values are made before visibility, so vertices are lit once. Points and normals of large meshes are the exception:
+ * they are made when they are loaded, as most of their triangles are hidden or cover a few samples, and arrays would take
+ * up to 96 bytes per triangle. Vertices that clipping made get interpolated values (geometry/cut.h), from colours that
+ * are lit and clamped to 0..1.
  */
 #ifndef ZR_DRAW_ATTRIBUTES_H
 #define ZR_DRAW_ATTRIBUTES_H
@@ -10,6 +12,8 @@
 #include "base/team.h"
 #include "geometry/geometry.h"
 #include "shade/attribute.h"
+#include "shade/eye_normals.h"
+#include "shade/eye_vectors.h"
 #include "shade/lights/light.h"
 #include "shade/texture_maps.h"
 
@@ -26,10 +30,18 @@ enum {
     ZR_ATTRIBUTE_COUNT
 };
 
+/* Vertices of a pass from which on points and normals are made when they are loaded. Arrays of fewer take less time: a
+ * triangle is loaded for each patch of samples that it covers. Pixels do not depend on it. */
+enum { ZR_LOADED_VERTICES = 1 << 15 };
+
 /* Attributes of one draw. */
 struct zr_draw_attributes {
     const struct zr_draw *draw;
     struct zr_attribute attributes[ZR_ATTRIBUTE_COUNT];
+    /* Instead of values of ZR_ATTRIBUTE_POINT and ZR_ATTRIBUTE_NORMAL: they are made when they are loaded
+     * (eye_values_simd.h, zr_draw_point). NULL: there are values, or none. */
+    const struct zr_eye_vectors *points;
+    const struct zr_eye_normals *normals;
     const uint32_t *packed; /* face colours as zr_rgba_opaque, fronts, followed by backs if two_sided_colors; instead of
                              * values, or beside them; NULL: none */
     uint32_t color_count;   /* front colours, without those of clipped vertices */
@@ -72,6 +84,23 @@ static inline bool zr_material_has_tangents(const struct zr_material *material)
 {
     return material->textures[ZR_TEXTURE_NORMAL] || material->textures[ZR_TEXTURE_COAT_NORMAL] ||
            material->finish.anisotropy > 0.0f;
+}
+
+static inline bool zr_draw_has_points(const struct zr_draw_attributes *of_draw)
+{
+    return of_draw->points || of_draw->attributes[ZR_ATTRIBUTE_POINT].values;
+}
+
+static inline bool zr_draw_has_normals(const struct zr_draw_attributes *of_draw)
+{
+    return of_draw->normals || of_draw->attributes[ZR_ATTRIBUTE_NORMAL].values;
+}
+
+/* Returns ZR_ATTRIBUTE_POINT of a vertex. The draw has points. */
+static inline zr_vec4 zr_draw_point(const struct zr_draw_attributes *of_draw, uint32_t vertex)
+{
+    return of_draw->points ? zr_eye_vector(of_draw->points, vertex)
+                           : of_draw->attributes[ZR_ATTRIBUTE_POINT].values[vertex];
 }
 
 static inline bool zr_draw_is_smooth(const struct zr_draw_attributes *of_draw)

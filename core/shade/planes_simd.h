@@ -9,6 +9,7 @@
 #include "base/rgba_simd.h"
 #include "base/vec3_simd.h"
 #include "raster/triangle_simd.h"
+#include "shade/eye_values_simd.h"
 #include "shade/paint.h"
 #include "shade/varyings.h"
 
@@ -98,6 +99,20 @@ ZR_INLINED void zr_values_load(const zr_vec4 *values, const int32_t (*numbers)[Z
 #undef ZR_VALUE_0
 #undef ZR_VALUE_1
 #undef ZR_VALUE_2
+}
+
+/* Loads the points of a draw by the numbers of their window vertices. has_depth: `last` is wanted. */
+ZR_INLINED void zr_points_load(const struct zr_draw_attributes *of_draw, const int32_t (*vertices)[ZR_LANES],
+                               bool has_depth, struct zr_vec3_v c[3], zr_vf last[3])
+{
+    const uint32_t first = of_draw->draw->first_vertex;
+    if (of_draw->points) {
+        struct zr_eye_values made;
+        ZR_KERNEL(zr_eye_vectors_at)(of_draw->points, first, vertices, has_depth, &made);
+        zr_eye_values_load(&made, c, last);
+    } else {
+        zr_values_load(of_draw->attributes[ZR_ATTRIBUTE_POINT].values - first, vertices, c, last);
+    }
 }
 
 /* ---- planes ---- */
@@ -218,8 +233,14 @@ ZR_INLINED void zr_normals_load(const struct zr_draw_attributes *of_draw, zr_vi 
     const zr_vm backs = zr_shown_backs(of_draw->draw, numbers, turned);
     const zr_vf one = zr_vf_set(1.0f);
     const zr_vf sign = zr_vf_select(backs, ZR_MUTANT(backs_keep_normals, zr_vf_set(-1.0f), one), one);
+    struct zr_eye_values made;
     zr_vf last[3];
-    zr_values_load(normal->values, own.value, c, last);
+    if (of_draw->normals) {
+        ZR_KERNEL(zr_eye_normals_at)(of_draw->normals, (const int32_t(*)[ZR_LANES])own.value, &made);
+        zr_eye_values_load(&made, c, last);
+    } else {
+        zr_values_load(normal->values, own.value, c, last);
+    }
     for (int k = 0; k < 3; k++)
         c[k] = zr_scale_v(c[k], sign);
 }

@@ -70,7 +70,7 @@ static inline struct zr_tangents_v zr_tangents_find(const struct zr_shader *s, c
                                                     zr_vf (*texcoords)[4])
 {
     const struct zr_attribute *attributes = run->of_draw->attributes;
-    const zr_vec4 *given = attributes[ZR_ATTRIBUTE_TANGENT].values, *points = attributes[ZR_ATTRIBUTE_POINT].values;
+    const zr_vec4 *given = attributes[ZR_ATTRIBUTE_TANGENT].values;
     const struct zr_texture *texture = zr_tangent_texture(&s->attributes->textures, run->draw->material);
     const zr_vm backs = zr_shown_backs(run->draw, zr_draw_run_numbers(s, run), turned);
     const zr_vf side = zr_vf_select(backs, zr_vf_set(-1.0f), zr_vf_set(1.0f));
@@ -82,7 +82,7 @@ static inline struct zr_tangents_v zr_tangents_find(const struct zr_shader *s, c
     } else {
         struct zr_vec3_v at[3];
         zr_vf places[3][2];
-        zr_values_load(points - run->draw->first_vertex, vertices, at, last);
+        zr_points_load(run->of_draw, vertices, false, at, last);
         for (int k = 0; k < 3; k++) {
             places[k][0] = texcoords[k][0];
             places[k][1] = texcoords[k][1];

@@ -71,7 +71,7 @@ bool zr_line_planes(const struct zr_geometry *geometry, const struct zr_draw_att
     const struct line_colors colors = line_colors_of(geometry, of_draw, number);
     const struct zr_window_vertex *v0 = &geometry->vertices[colors.line.v[0]],
                                   *v1 = &geometry->vertices[colors.line.v[1]];
-    const zr_vec4 *points = of_draw->attributes[ZR_ATTRIBUTE_POINT].values;
+    zr_vec4 points[2];
     const bool has_colors = mask & (ZR_VARY_COLOR | ZR_VARY_OPACITY);
     const bool constant = !(mask & ZR_VARY_OVER_W) && !(has_colors && colors.ends[0] != colors.ends[1]);
     struct ends ends = {zr_line_basis_make(v0, v1), {v0->oow, v1->oow}, {NULL, NULL}};
@@ -81,9 +81,11 @@ bool zr_line_planes(const struct zr_geometry *geometry, const struct zr_draw_att
         ends.values[k] = &colors.values[colors.ends[k]];
     if (mask & ZR_VARY_COLOR) put_xyz(&ends, constant, &planes[zr_first_plane(mask, ZR_VARY_COLOR)]);
     if (mask & ZR_VARY_OPACITY) put_w(&ends, constant, &planes[zr_first_plane(mask, ZR_VARY_OPACITY)]);
-    if (!points) return constant;
-    for (uint32_t k = 0; k < 2; k++)
-        ends.values[k] = &points[zr_draw_corner(draw, number - draw->first, k)];
+    if (!zr_draw_has_points(of_draw)) return constant;
+    for (uint32_t k = 0; k < 2; k++) {
+        points[k] = zr_draw_point(of_draw, zr_draw_corner(draw, number - draw->first, k));
+        ends.values[k] = &points[k];
+    }
     if (mask & ZR_VARY_POINT) put_xyz(&ends, false, &planes[zr_first_plane(mask, ZR_VARY_POINT)]);
     if (mask & ZR_VARY_DEPTH) put_w(&ends, false, &planes[zr_first_plane(mask, ZR_VARY_DEPTH)]);
     return constant;

@@ -61,7 +61,8 @@ ZR_INLINED void zr_put_normals(struct zr_shader *s, const struct zr_draw_run *ru
     const struct zr_attribute *normal = &run->of_draw->attributes[ZR_ATTRIBUTE_NORMAL];
     const struct zr_vec3_v none = zr_spread_v((zr_vec3){0.0f, 0.0f, 0.0f});
     struct zr_vec3_v n[3] = {none, none, none};
-    if (normal->values) zr_normals_load(run->of_draw, zr_draw_run_numbers(s, run), setup->turned, corners, n);
+    if (zr_draw_has_normals(run->of_draw))
+        zr_normals_load(run->of_draw, zr_draw_run_numbers(s, run), setup->turned, corners, n);
     zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_NORMAL), setup, n,
                  !(mask & ZR_VARY_PER_PIXEL) && zr_rate_is_flat(normal->rate));
 }
@@ -70,10 +71,9 @@ ZR_INLINED void zr_put_normals(struct zr_shader *s, const struct zr_draw_run *ru
 ZR_INLINED void zr_put_points(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask,
                               const struct zr_triangle_setup_v *setup, const struct zr_corner_numbers *corners)
 {
-    const zr_vec4 *points = run->of_draw->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
     struct zr_vec3_v p[3];
     zr_vf depth[3];
-    zr_values_load(points, corners->vertex, p, depth);
+    zr_points_load(run->of_draw, corners->vertex, mask & ZR_VARY_DEPTH, p, depth);
     if (mask & ZR_VARY_POINT) zr_put_three(s, run, mask, zr_first_plane(mask, ZR_VARY_POINT), setup, p, false);
     if (mask & ZR_VARY_DEPTH) zr_put_value(s, run, mask, zr_first_plane(mask, ZR_VARY_DEPTH), setup, depth, false);
 }

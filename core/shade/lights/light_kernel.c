@@ -1,7 +1,7 @@
 #include "base/mutant.h"
 #include "base/vec3_simd.h"
 #include "shade/lights/lamp_place_simd.h"
-#include "shade/lights/light.h"
+#include "shade/lights/unit_normal_simd.h"
 
 _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float), "loaded and stored as four floats");
 
@@ -24,10 +24,7 @@ static inline struct zr_vec3_v unit_normals(const struct zr_normal_matrix *to_ey
     zr_vf w;
     zr_vf_load_fours((const float *)normals, &n.x, &n.y, &n.z, &w);
     (void)w;
-    n = zr_normalize_v(n); /* first, since a tiny face would underflow below */
-    n = (struct zr_vec3_v){zr_dot_v(zr_spread_v(to_eye->rows[0]), n), zr_dot_v(zr_spread_v(to_eye->rows[1]), n),
-                           zr_dot_v(zr_spread_v(to_eye->rows[2]), n)};
-    return zr_normalize_v(n);
+    return zr_unit_normal_v(to_eye, n);
 }
 
 /* Lights ZR_LANES points. `placed`, a constant: lamps may have a position; else `points` may be NULL. */
