@@ -1,5 +1,7 @@
 #include "effects/edge_marks.h"
 
+#include "shade/cloud_values.h"
+
 /* Corners of a drawn triangle, relative to the eye like the points of samples. */
 struct corners {
     zr_vec3 at[3];
@@ -11,6 +13,11 @@ static struct corners corners_of(const struct zr_edge_faces *faces, uint32_t own
     const struct zr_draw_attributes *of_draw = &faces->of_draw[draw - faces->geometry->draws];
     const zr_vec4 *points = of_draw->attributes[ZR_ATTRIBUTE_POINT].values;
     struct corners out;
+    if (zr_draw_is_cloud(draw)) {
+        const zr_vec4 p = zr_cloud_point(faces->geometry, of_draw, owner - 1);
+        out.at[0] = out.at[1] = out.at[2] = (zr_vec3){p.x, p.y, p.z};
+        return out;
+    }
     for (uint32_t k = 0; k < 3; k++) {
         const zr_vec4 *p = &points[zr_draw_corner(draw, owner - 1 - draw->first, k)];
         out.at[k] = (zr_vec3){p->x, p->y, p->z};

@@ -72,7 +72,7 @@ static void begin_instance(struct making *m, uint32_t number)
     while (cut < g->cut_count && g->cuts[cut].first_vertex < end)
         cut++;
     m->cut_end = cut;
-    m->made = end - m->instance->first_vertex - m->mesh->position_count;
+    m->made = end - m->instance->first_vertex - m->instance->vertex_count;
     m->has_colors = false;
     m->line_colors = NULL;
     m->texcoords = m->tangents = NULL;
@@ -148,6 +148,15 @@ static bool find_line_colors(struct making *m)
     return true;
 }
 
+/* Gives a cloud the mesh's own colours (cloud_values.h). */
+static void color_cloud(const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
+{
+    const zr_vec4 *colors = draw->mesh->colors;
+    of_draw->attributes[ZR_ATTRIBUTE_COLOR] = colors ? (struct zr_attribute){ZR_RATE_VERTEX, colors}
+                                                     : (struct zr_attribute){ZR_RATE_DRAW, &draw->material->base_color};
+    of_draw->color_count = 1;
+}
+
 static bool color_lines(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
     struct zr_attribute *color = &of_draw->attributes[ZR_ATTRIBUTE_COLOR];
@@ -183,6 +192,10 @@ static bool color_faces(struct making *m, const struct zr_draw *draw, struct zr_
 
 static bool color(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
+    if (zr_draw_is_cloud(draw)) {
+        color_cloud(draw, of_draw);
+        return true;
+    }
     if (draw->kind == ZR_DRAW_LINES || draw->kind == ZR_DRAW_POINTS) return color_lines(m, draw, of_draw);
     if (draw->kind != ZR_DRAW_OUTLINES || draw->material->outline != ZR_OUTLINE_COLORED)
         return color_faces(m, draw, of_draw);
@@ -222,6 +235,15 @@ static float fog_depth(const zr_mat4 *to_eye, zr_vec4 position, zr_vec4 p)
     return fabsf(p.w != 0.0f ? z / p.w : z);
 }
 
+zr_vec4 zr_eye_point(const zr_mat4 *to_eye, zr_vec4 eye, zr_vec4 position)
+{
+    const zr_vec4 p = zr_mat4_apply(to_eye, position);
+    zr_vec4 out = p;
+    if (eye.w != 0.0f) out = (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
+    out.w = fog_depth(to_eye, position, p);
+    return out;
+}
+
 /* Makes the points of all window vertices. */
 static bool make_points(struct making *m)
 {
@@ -234,13 +256,8 @@ static bool make_points(struct making *m)
         begin_instance(m, number);
         zr_vec4 *of_instance = points + m->instance->first_vertex;
         if (zr_is_cancelled(m->run->cancel)) break;
-        for (uint32_t i = 0; i < m->mesh->position_count; i++) {
-            const zr_vec4 p = zr_mat4_apply(&m->instance->to_eye, m->mesh->positions[i]);
-            of_instance[i] = p;
-            if (eye.w != 0.0f)
-                of_instance[i] = (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
-            of_instance[i].w = fog_depth(&m->instance->to_eye, m->mesh->positions[i], p);
-        }
+        for (uint32_t i = 0; i < m->instance->vertex_count; i++)
+            of_instance[i] = zr_eye_point(&m->instance->to_eye, eye, m->mesh->positions[i]);
         extend(m, ZR_RATE_VERTEX, m->mesh->position_count, of_instance);
     }
     m->instance = NULL;
@@ -308,6 +325,7 @@ static bool make_of_draw(struct making *m, const struct zr_draw *draw, struct zr
 {
     of_draw->draw = draw;
     of_draw->material = (uint32_t)(draw->material - m->scene->materials);
+    of_draw->eye = m->out->eye;
     if (m->colors && !color(m, draw, of_draw)) return false;
     const bool of_wires = zr_draw_is_of_wires(draw);
     const bool by_normals = m->colors && !of_wires && zr_material_is_per_pixel(draw->material);
@@ -318,7 +336,8 @@ static bool make_of_draw(struct making *m, const struct zr_draw *draw, struct zr
         !find_tangents(m, &of_draw->attributes[ZR_ATTRIBUTE_TANGENT]))
         return false;
     if (of_draw->is_per_pixel || m->wants->samples)
-        of_draw->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
+        of_draw->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){
+            ZR_RATE_VERTEX, zr_draw_is_cloud(draw) ? draw->mesh->positions : m->points + draw->first_vertex};
     return of_wires || !(by_normals || m->wants->normals || m->wants->samples) ||
            find_normals(m, draw, &of_draw->attributes[ZR_ATTRIBUTE_NORMAL]);
 }

@@ -26,7 +26,7 @@ enum {
     ZR_ATTRIBUTE_COUNT
 };
 
-/* Attributes of one draw. */
+/* Attributes of one draw. Those of clouds are inputs of cloud_values.h. */
 struct zr_draw_attributes {
     const struct zr_draw *draw;
     struct zr_attribute attributes[ZR_ATTRIBUTE_COUNT];
@@ -36,6 +36,7 @@ struct zr_draw_attributes {
     uint32_t material;      /* number in the scene */
     bool two_sided_colors;  /* backs are drawn in colours of their own */
     bool is_per_pixel;      /* shaded per pixel: zr_material_is_per_pixel, fog or textures */
+    zr_vec4 eye;            /* as in zr_scene_attributes */
     const uint32_t *backs;  /* bits of zr_prepaint.backs, which binning fills in (zr_paint_prepare); NULL: none */
 };
 
@@ -67,6 +68,9 @@ struct zr_scene_attributes {
 enum zr_status zr_scene_attributes_make(const struct zr_run *run, const struct zr_scene *scene,
                                         const struct zr_camera *camera, const struct zr_geometry *geometry,
                                         const struct zr_attribute_wants *wants, struct zr_scene_attributes *attributes);
+
+/* Returns ZR_ATTRIBUTE_POINT of a position in object space. */
+zr_vec4 zr_eye_point(const zr_mat4 *to_eye, zr_vec4 eye, zr_vec4 position);
 
 /* True if shading needs tangents. */
 static inline bool zr_material_has_tangents(const struct zr_material *material)
