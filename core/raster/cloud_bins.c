@@ -13,8 +13,11 @@ enum { POINTS_PER_RANGE = 4096, POINTS_AT_ONCE = 256 };
  * most half of their memory is unused. */
 enum { BLOCK_AT_FIRST = 256, BLOCK_MOST = 4096, BYTES_AT_ONCE = 1 << 16 };
 
-/* Pixels put between two checks for cancellation: less than a millisecond. */
-enum { PIXELS_PER_CANCEL_CHECK = 1 << 18 };
+/* Points and pixels put between two checks for cancellation: less than a millisecond. */
+enum { WORK_PER_CANCEL_CHECK = 1 << 18 };
+
+enum { TILE_SHIFT = 6 };
+_Static_assert(1 << TILE_SHIFT == ZR_TILE_SIZE, "the smallest cells are tiles");
 
 /* ---- lists ---- */
 
@@ -96,29 +99,34 @@ static struct sizing sizing_of(const struct zr_cloud_bins *bins, const struct zr
     return (struct sizing){width, zr_point_cut(draw->mesh, width), &bins->grids[grid_for(width)]};
 }
 
-static void add(struct zr_cloud_binner *binner, const struct sizing *sizing, const struct zr_window_vertex *vertex,
-                uint32_t owner)
+/* Lists the point in a cell. Without memory, the binner is marked as failed. */
+static inline void add_to_cell(struct zr_cloud_binner *binner, const struct sizing *sizing, size_t cell,
+                               const struct zr_cloud_record *record)
 {
-    const struct zr_cloud_bins *bins = binner->bins;
-    const int32_t side = sizing->grid->side, width = sizing->width;
+    struct zr_cloud_chain *chain = &binner->cells[cell];
+    struct zr_cloud_block *block = chain->last;
+    if (!block || block->used == block->room || block->width != sizing->width || block->cut != sizing->cut)
+        block = add_block(binner, chain, sizing->width, sizing->cut);
+    if (block) block->records[block->used++] = *record;
+}
+
+static inline void add(struct zr_cloud_binner *binner, const struct sizing *sizing,
+                       const struct zr_window_vertex *vertex, uint32_t owner)
+{
+    const int32_t last_x = (int32_t)binner->bins->width - 1, last_y = (int32_t)binner->bins->height - 1;
+    const int shift = sizing->grid->shift;
     const float depth = zr_depth_clamp(vertex->z);
     int32_t box[4];
-    zr_point_box_at(vertex, width, box);
+    zr_point_box_at(vertex, sizing->width, box);
     /* Clipping rounds: a point may lie slightly outside the window. */
-    const int32_t x0 = box[0] > 0 ? box[0] / side : 0, y0 = box[1] > 0 ? box[1] / side : 0;
-    const int32_t last_x = (int32_t)bins->width - 1, last_y = (int32_t)bins->height - 1;
     if (box[2] < 0 || box[3] < 0 || box[0] > last_x || box[1] > last_y) return;
-    const int32_t x1 = (box[2] < last_x ? box[2] : last_x) / side, y1 = (box[3] < last_y ? box[3] : last_y) / side;
+    const int32_t x0 = (box[0] > 0 ? box[0] : 0) >> shift, x1 = (box[2] < last_x ? box[2] : last_x) >> shift;
+    const int32_t y0 = (box[1] > 0 ? box[1] : 0) >> shift, y1 = (box[3] < last_y ? box[3] : last_y) >> shift;
     for (int32_t y = y0; y <= y1; y++)
         for (int32_t x = x0; x <= x1; x++) {
-            const size_t cell = sizing->grid->first + (size_t)y * sizing->grid->columns + (size_t)x;
-            struct zr_cloud_chain *chain = &binner->cells[cell];
-            struct zr_cloud_block *block = chain->last;
-            if (!block || block->used == block->room || block->width != width || block->cut != sizing->cut)
-                block = add_block(binner, chain, width, sizing->cut);
-            if (!block) return;
-            block->records[block->used++] =
-                (struct zr_cloud_record){owner, depth, (int16_t)(box[0] - x * side), (int16_t)(box[1] - y * side)};
+            const struct zr_cloud_record record = {owner, depth, (int16_t)(box[0] - (x << shift)),
+                                                   (int16_t)(box[1] - (y << shift))};
+            add_to_cell(binner, sizing, sizing->grid->first + (size_t)y * sizing->grid->columns + (size_t)x, &record);
         }
 }
 
@@ -188,7 +196,7 @@ static bool make_shares(struct binning *b)
         if (!is_wanted(bins, draw)) continue;
         const int32_t width = zr_point_width(draw->mesh->point_size, geometry->window.point_scale);
         const int grid = grid_for(width);
-        bins->grids[grid].side = ZR_TILE_SIZE << 2 * grid;
+        bins->grids[grid].shift = TILE_SHIFT + 2 * grid;
         for (uint32_t begin = 0; begin < draw->count; begin += POINTS_PER_RANGE) {
             const uint32_t left = draw->count - begin;
             const uint32_t end = begin + (left < POINTS_PER_RANGE ? left : POINTS_PER_RANGE);
@@ -203,9 +211,9 @@ static bool make_workers(struct zr_cloud_bins *bins)
     size_t cells = 0;
     for (int i = 0; i < ZR_CLOUD_GRIDS; i++) {
         struct zr_cloud_grid *grid = &bins->grids[i];
-        if (grid->side == 0) continue;
-        const uint32_t side = (uint32_t)grid->side, rows = (bins->height + side - 1) / side;
-        grid->columns = (bins->width + side - 1) / side;
+        if (grid->shift == 0) continue;
+        const uint32_t rows = ((bins->height - 1) >> grid->shift) + 1;
+        grid->columns = ((bins->width - 1) >> grid->shift) + 1;
         grid->first = cells;
         cells += (size_t)grid->columns * rows;
     }
@@ -237,8 +245,12 @@ static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel
 enum zr_status zr_cloud_bins_build(const struct zr_run *run, const struct zr_geometry *geometry,
                                    enum zr_alpha_mode mode, uint32_t width, uint32_t height, struct zr_cloud_bins *bins)
 {
-    *bins = (struct zr_cloud_bins){
-        .arena = run->arena, .geometry = geometry, .mode = mode, .width = width, .height = height};
+    *bins = (struct zr_cloud_bins){.arena = run->arena,
+                                   .geometry = geometry,
+                                   .mode = mode,
+                                   .width = width,
+                                   .height = height,
+                                   .draw = zr_cloud_draw_of(zr_team_isa(run->team))};
     pthread_mutex_init(&bins->arena_lock, NULL);
     enum zr_status status = build(run->team, run->cancel, bins);
     pthread_mutex_destroy(&bins->arena_lock);
@@ -251,10 +263,11 @@ enum zr_status zr_cloud_bins_build(const struct zr_run *run, const struct zr_geo
 static size_t cell_of(const struct zr_cloud_bins *bins, const struct zr_cloud_grid *grid, uint32_t tile, int32_t *x,
                       int32_t *y)
 {
-    const uint32_t across = zr_tile_across(bins->width), tiles = (uint32_t)grid->side / ZR_TILE_SIZE;
-    const uint32_t column = tile % across / tiles, row = tile / across / tiles;
-    *x = (int32_t)column * grid->side;
-    *y = (int32_t)row * grid->side;
+    const uint32_t across = zr_tile_across(bins->width);
+    const uint32_t column = tile % across >> (grid->shift - TILE_SHIFT),
+                   row = tile / across >> (grid->shift - TILE_SHIFT);
+    *x = (int32_t)column << grid->shift;
+    *y = (int32_t)row << grid->shift;
     return grid->first + (size_t)row * grid->columns + column;
 }
 
@@ -262,7 +275,7 @@ bool zr_cloud_bins_any(const struct zr_cloud_bins *bins, uint32_t number)
 {
     for (int i = 0; i < ZR_CLOUD_GRIDS && bins->worker_count > 0; i++) {
         int32_t x, y;
-        if (bins->grids[i].side == 0) continue;
+        if (bins->grids[i].shift == 0) continue;
         const size_t cell = cell_of(bins, &bins->grids[i], number, &x, &y);
         for (int w = 0; w < bins->worker_count; w++)
             if (bins->workers[w].cells[cell].first) return true;
@@ -270,21 +283,29 @@ bool zr_cloud_bins_any(const struct zr_cloud_bins *bins, uint32_t number)
     return false;
 }
 
-/* Draws a chain of the cell whose lowest pixel is x, y. Adds the pixels to *pixels. */
-static bool draw_chain(const struct zr_cloud_block *block, int32_t x, int32_t y, const struct zr_cancel *cancel,
-                       uint64_t *pixels, struct zr_tile *tile)
+/* Lists the fragments of a block in the cell whose lowest pixel is x, y. Returns their number. */
+static uint32_t list_block(const struct zr_cloud_block *block, int32_t x, int32_t y, struct zr_tile *tile)
+{
+    uint32_t pixels = 0;
+    for (uint32_t i = 0; i < block->used; i++) {
+        const struct zr_cloud_record *r = &block->records[i];
+        const struct zr_point_shape shape = {x + r->x, y + r->y, block->width, block->cut};
+        pixels += zr_point_put(&shape, r->depth, r->owner, tile);
+    }
+    return pixels;
+}
+
+/* Draws a chain of the cell. Adds the points and pixels to *work. */
+static bool draw_chain(zr_cloud_draw_fn *draw, const struct zr_cloud_block *block, int32_t x, int32_t y,
+                       const struct zr_cancel *cancel, uint64_t *work, struct zr_tile *tile)
 {
     for (; block; block = block->next) {
-        if (*pixels >= PIXELS_PER_CANCEL_CHECK) {
+        if (*work >= WORK_PER_CANCEL_CHECK) {
             if (zr_is_cancelled(cancel)) return false;
-            *pixels = 0;
+            *work = 0;
         }
-        if (block->next) zr_prefetch(block->next, 0, bytes_of(block->next->room));
-        for (uint32_t i = 0; i < block->used; i++) {
-            const struct zr_cloud_record *r = &block->records[i];
-            const struct zr_point_shape shape = {x + r->x, y + r->y, block->width, block->cut};
-            *pixels += 1 + zr_point_put(&shape, r->depth, r->owner, tile);
-        }
+        if (block->next) zr_prefetch(block->next, 0, bytes_of(block->room)); /* most are at least as large */
+        *work += block->used + (tile->fragments ? list_block : draw)(block, x, y, tile);
     }
     return true;
 }
@@ -292,13 +313,13 @@ static bool draw_chain(const struct zr_cloud_block *block, int32_t x, int32_t y,
 bool zr_cloud_bins_draw(const struct zr_cloud_bins *bins, uint32_t number, const struct zr_cancel *cancel,
                         struct zr_tile *tile)
 {
-    uint64_t pixels = PIXELS_PER_CANCEL_CHECK;
+    uint64_t work = WORK_PER_CANCEL_CHECK;
     for (int i = 0; i < ZR_CLOUD_GRIDS && bins->worker_count > 0; i++) {
         int32_t x, y;
-        if (bins->grids[i].side == 0) continue;
+        if (bins->grids[i].shift == 0) continue;
         const size_t cell = cell_of(bins, &bins->grids[i], number, &x, &y);
         for (int w = 0; w < bins->worker_count; w++)
-            if (!draw_chain(bins->workers[w].cells[cell].first, x, y, cancel, &pixels, tile)) return false;
+            if (!draw_chain(bins->draw, bins->workers[w].cells[cell].first, x, y, cancel, &work, tile)) return false;
     }
     return true;
 }

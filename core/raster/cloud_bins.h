@@ -11,6 +11,7 @@
 
 #include <pthread.h>
 
+#include "base/isa.h"
 #include "base/run.h"
 #include "geometry/geometry.h"
 #include "raster/tile.h"
@@ -29,6 +30,12 @@ struct zr_cloud_block {
     struct zr_cloud_record records[];
 };
 
+/* Draws the points of a block to the samples of a tile: x, y is the lowest pixel of their cell. Returns the number of
+ * their pixels in the tile. A kernel. */
+typedef uint32_t zr_cloud_draw_fn(const struct zr_cloud_block *block, int32_t x, int32_t y, struct zr_tile *tile);
+
+ZR_KERNEL_TABLE(zr_cloud_draw_fn, zr_cloud_draw)
+
 /* Chain of blocks of one thread for one cell. */
 struct zr_cloud_chain {
     struct zr_cloud_block *first, *last;
@@ -45,7 +52,7 @@ struct zr_cloud_binner {
 
 /* Cells of one size. */
 struct zr_cloud_grid {
-    int32_t side;     /* pixels; 0: no cloud needs them */
+    int shift;        /* they have 1 << shift pixels at each side; 0: no cloud needs them */
     uint32_t columns; /* cells in a row */
     size_t first;     /* number of the first cell */
 };
@@ -60,6 +67,7 @@ struct zr_cloud_bins {
     pthread_mutex_t arena_lock;
     uint32_t width, height;
     struct zr_cloud_grid grids[ZR_CLOUD_GRIDS];
+    zr_cloud_draw_fn *draw;
     int worker_count; /* 0: there are no clouds */
     struct zr_cloud_binner *workers;
 };

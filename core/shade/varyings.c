@@ -105,9 +105,9 @@ bool zr_line_planes(const struct zr_geometry *geometry, const struct zr_draw_att
         find_cloud_values(geometry, of_draw, number, has_colors, mask, &values);
     else
         find_values(geometry, of_draw, number, has_colors, &values);
-    zr_wire_ends(geometry, of_draw->draw, number, at);
     const struct zr_window_vertex *v0 = &at[0].vertex, *v1 = &at[1].vertex;
     const bool constant = !(mask & ZR_VARY_OVER_W) && !(has_colors && values.differ);
+    zr_wire_ends(geometry, of_draw->draw, number, at);
     struct ends ends = {zr_line_basis_make(v0, v1), {v0->oow, v1->oow}, {&values.color[0], &values.color[1]}};
     memset(planes, 0, (size_t)zr_plane_count(mask) * sizeof *planes);
     planes[0] = constant && zr_may_lack_w(mask) ? (struct zr_plane){1, 0, 0} : plane_of(&ends, 1.0f, 1.0f);
