@@ -23,8 +23,8 @@ static struct zr_mesh *scene_of_cloud(uint32_t count, float size, bool is_round)
     struct random random = random_seeded(1);
     for (uint32_t i = 0; i < count; i++) {
         const float depth = (float)i / (float)count * 1.8f - 0.9f;
-        positions[i] = (zr_vec4){(float)random_range(&random, -1.05f, 1.05f),
-                                 (float)random_range(&random, -1.05f, 1.05f), depth, 1};
+        positions[i] =
+            (zr_vec4){(float)random_range(&random, -1.05, 1.05), (float)random_range(&random, -1.05, 1.05), depth, 1};
         colors[i] = (zr_vec4){(float)random_range(&random, 0, 1), (float)random_range(&random, 0, 1),
                               (float)random_range(&random, 0, 1), 1};
         points[i] = i;
