@@ -1,5 +1,7 @@
 #include "effects/edge_marks.h"
 
+#include "shade/draw_attributes.h"
+
 /* Corners of a drawn triangle, relative to the eye like the points of samples. */
 struct corners {
     zr_vec3 at[3];
@@ -11,7 +13,9 @@ static struct corners corners_of(const struct zr_edge_faces *faces, uint32_t own
     const struct zr_draw_attributes *of_draw = &faces->of_draw[draw - faces->geometry->draws];
     struct corners out;
     for (uint32_t k = 0; k < 3; k++) {
-        const zr_vec4 p = zr_draw_point(of_draw, zr_draw_corner(draw, owner - 1 - draw->first, k));
+        const zr_vec4 p =
+            zr_draw_point(of_draw, zr_draw_is_cloud(draw) ? zr_cloud_position(draw, owner - 1)
+                                                          : zr_draw_corner(draw, owner - 1 - draw->first, k));
         out.at[k] = (zr_vec3){p.x, p.y, p.z};
     }
     return out;

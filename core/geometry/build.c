@@ -197,6 +197,12 @@ static void place_vertices(void *argument, size_t begin, size_t end)
     if (any) atomic_fetch_or_explicit(&placing->any_outcodes, any, memory_order_relaxed);
 }
 
+/* Returns the number of window vertices for the positions of a mesh: none if it is a cloud alone. */
+static uint32_t vertices_of(const struct zr_builder *builder, const struct zr_mesh *mesh)
+{
+    return !builder->singly && mesh->face_count == 0 && mesh->line_count == 0 ? 0 : mesh->position_count;
+}
+
 /* Fixed work per instance, in corners. */
 enum { INSTANCE_WORK = 64 };
 
@@ -209,7 +215,7 @@ static bool make_room(struct zr_builder *builder)
     uint64_t vertices = 0;
     uint32_t most = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
-        const uint32_t count = scene->meshes[scene->instances[i].mesh].position_count;
+        const uint32_t count = vertices_of(builder, &scene->meshes[scene->instances[i].mesh]);
         vertices += count;
         if (count > most) most = count;
     }
@@ -227,11 +233,12 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
 {
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_mesh *mesh = &builder->scene->meshes[instance->mesh];
+    const uint32_t count = vertices_of(builder, mesh);
+    struct zr_source_instance *source = &geometry->instances[instance - builder->scene->instances];
     builder->mesh = mesh;
     builder->instance = (uint32_t)(instance - builder->scene->instances);
-    if (!zr_builder_go_on(builder, INSTANCE_WORK + mesh->position_count)) return ZR_CANCELLED;
-    if (mesh->face_offsets[mesh->face_count] > ZR_GEOMETRY_MAX ||
-        !zr_builder_reserve_vertices(builder, mesh->position_count))
+    if (!zr_builder_go_on(builder, INSTANCE_WORK + count)) return ZR_CANCELLED;
+    if (mesh->face_offsets[mesh->face_count] > ZR_GEOMETRY_MAX || !zr_builder_reserve_vertices(builder, count))
         return ZR_NO_MEMORY;
 
     builder->first_vertex = geometry->vertex_count;
@@ -239,15 +246,15 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
     builder->object_to_eye = zr_mat4_mul(&camera->world_to_eye, &instance->object_to_world);
     builder->object_to_clip = zr_mat4_mul(&camera->projection, &builder->object_to_eye);
     struct placing placing = {.builder = builder,
-                              .out = mesh->position_count > 0 ? geometry->vertices + geometry->vertex_count : NULL,
+                              .out = count > 0 ? geometry->vertices + geometry->vertex_count : NULL,
                               .transform = zr_transform_of(zr_team_isa(builder->run->team))};
-    placing.streamed = mesh->position_count >= STREAMED_VERTICES && (uintptr_t)placing.out % ZR_CACHE_LINE == 0;
-    if (mesh->position_count > 0) /* a mesh that a section cuts away has none */
-        zr_team_ranges(builder->run->team, mesh->position_count, VERTICES_PER_RANGE, place_vertices, &placing);
+    placing.streamed = count >= STREAMED_VERTICES && (uintptr_t)placing.out % ZR_CACHE_LINE == 0;
+    if (count > 0) /* a cloud has none, nor a mesh that a section cuts away */
+        zr_team_ranges(builder->run->team, count, VERTICES_PER_RANGE, place_vertices, &placing);
     builder->any_outcodes = placing.any_outcodes;
-    geometry->vertex_count += mesh->position_count;
-    geometry->instances[builder->instance] =
-        zr_source_instance_make(camera, &instance->object_to_world, mesh, builder->first_vertex);
+    geometry->vertex_count += count;
+    *source = zr_source_instance_make(camera, &instance->object_to_world, mesh, builder->first_vertex);
+    source->vertex_count = count;
     return assemble_mesh(builder);
 }
 

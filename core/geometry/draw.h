@@ -1,8 +1,9 @@
 /* draw.h - geometry: runs of primitives of one kind, one instance and one material.
  *
  * Most draws are unclipped triangles of a mesh: nothing is copied, the draw points to their corners. Pieces of clipped
- * triangles, parts of shapes, and lines have arrays of their own, with the same layout. Primitive numbers follow the
- * order of the scene over all draws: at equal depths, the smaller number is visible. */
+ * triangles, parts of shapes, and lines have arrays of their own, with the same layout. A cloud is all points of a mesh,
+ * with neither arrays nor window vertices. Primitive numbers follow the order of the scene over all draws: at equal
+ * depths, the smaller number is visible. */
 #ifndef ZR_DRAW_H
 #define ZR_DRAW_H
 
@@ -30,14 +31,15 @@ struct zr_draw {
     const struct zr_material *material;
 
     /* Three per primitive, relative to first_vertex: positions of the mesh, followed by vertices that clipping created.
-     * A line has two, with the second repeated; a point has one, repeated twice. */
+     * A line has two, with the second repeated; a point has one, repeated twice. NULL for clouds. */
     const uint32_t *corners;
     /* Three per primitive: slots of mesh->indices, followed by one for each clipped vertex. NULL: consecutive from 3
      * first_face, as in a mesh of triangles. Undefined for lines and points of the mesh. */
     const uint32_t *slots;
     /* One per primitive: faces of the mesh, then its lines, then its points. NULL: consecutive from first_face. */
     const uint32_t *faces;
-    /* One per primitive: 2 times the number of its shape, plus 1 if its back is visible. NULL for ZR_DRAW_TRIANGLES. */
+    /* One per primitive: 2 times the number of its shape, plus 1 if its back is visible. NULL for ZR_DRAW_TRIANGLES and
+     * clouds. */
     const uint32_t *traits;
     uint32_t first_face;
     uint32_t first_id; /* id of face 0 */
@@ -63,6 +65,19 @@ static inline bool zr_draw_is_of_lines(const struct zr_draw *draw)
 static inline bool zr_draw_is_of_wires(const struct zr_draw *draw)
 {
     return zr_draw_is_of_lines(draw) || draw->kind == ZR_DRAW_POINTS;
+}
+
+/* True for all points of a mesh, those outside the view included. Window vertices and eye depths are made for visible
+ * points only, when they are needed (zr_wire_ends). */
+static inline bool zr_draw_is_cloud(const struct zr_draw *draw)
+{
+    return draw->kind == ZR_DRAW_POINTS && !draw->counted;
+}
+
+/* Returns the position of point `number` of a cloud. */
+static inline uint32_t zr_cloud_position(const struct zr_draw *draw, uint32_t number)
+{
+    return draw->mesh->points[number - draw->first];
 }
 
 /* True if all fragments are kept in lists (raster/fragments.h), not only the nearest ones. */

@@ -8,8 +8,10 @@ struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera
     const struct zr_matrix world = zr_matrix_of(object_to_world), view = zr_matrix_of(&camera->world_to_eye);
     const struct zr_matrix projection = zr_matrix_of(&camera->projection);
     const struct zr_matrix eye = zr_matrix_mul(&view, &world), clip = zr_matrix_mul(&projection, &eye);
-    struct zr_source_instance out = {.first_vertex = first_vertex, .mesh = mesh, .object_to_eye = eye};
+    struct zr_source_instance out = {
+        .first_vertex = first_vertex, .vertex_count = mesh->position_count, .mesh = mesh, .object_to_eye = eye};
     out.to_eye = zr_mat4_mul(&camera->world_to_eye, object_to_world);
+    out.to_clip = zr_mat4_mul(&camera->projection, &out.to_eye);
     for (int column = 0; column < 4; column++) {
         out.columns[column][ZR_SOURCE_X] = clip.m[column * 4];
         out.columns[column][ZR_SOURCE_Y] = clip.m[column * 4 + 1];
@@ -52,6 +54,7 @@ struct zr_triangle zr_triangle_of(const struct zr_geometry *geometry, const stru
     const struct zr_window_vertex *vertices = geometry->vertices;
     struct zr_triangle out = {.line = zr_draw_is_of_wires(draw), .depth_offset = draw->depth_offset};
     uint32_t *v = out.v;
+    if (zr_draw_is_cloud(draw)) return out;
     for (uint32_t k = 0; k < 3; k++)
         v[k] = draw->first_vertex + zr_draw_corner(draw, t, k);
     out.turned = !out.line && zr_window_area(&vertices[v[0]], &vertices[v[1]], &vertices[v[2]]) < 0;
@@ -64,6 +67,30 @@ struct zr_triangle zr_triangle_of(const struct zr_geometry *geometry, const stru
     if (draw->kind == ZR_DRAW_SHAPES) out.shape = 1 + trait / 2;
     out.back = draw->kind == ZR_DRAW_TRIANGLES ? out.turned == draw->mirrored : trait % 2 != 0;
     return out;
+}
+
+static struct zr_wire_end end_in_cloud(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number)
+{
+    const struct zr_source_instance *instance = &geometry->instances[draw->instance];
+    const struct zr_viewport viewport = zr_viewport_make(geometry->window.width, geometry->window.height);
+    const zr_vec4 p = draw->mesh->positions[zr_cloud_position(draw, number)];
+    struct zr_wire_end end;
+    zr_viewport_apply(&viewport, zr_mat4_apply(&instance->to_clip, p), &end.vertex);
+    end.eye = (struct zr_eye){zr_mat4_row(&instance->to_eye, 2, p), zr_mat4_row(&instance->to_eye, 3, p)};
+    return end;
+}
+
+void zr_wire_ends(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number,
+                  struct zr_wire_end ends[2])
+{
+    if (zr_draw_is_cloud(draw)) {
+        ends[0] = ends[1] = end_in_cloud(geometry, draw, number);
+        return;
+    }
+    for (uint32_t k = 0; k < 2; k++) {
+        const uint32_t v = draw->first_vertex + zr_draw_corner(draw, number - draw->first, k);
+        ends[k] = (struct zr_wire_end){geometry->vertices[v], geometry->eyes[v]};
+    }
 }
 
 static const struct zr_cut *cut_of(const struct zr_geometry *geometry, uint32_t vertex)

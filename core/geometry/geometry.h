@@ -25,10 +25,11 @@ enum { ZR_SOURCE_X, ZR_SOURCE_Y, ZR_SOURCE_W, ZR_SOURCE_EYE_DEPTH, ZR_SOURCE_EYE
 
 struct zr_source_instance {
     uint32_t first_vertex;
+    uint32_t vertex_count; /* of positions: all, or none of a mesh that is a cloud alone */
     const struct zr_mesh *mesh;
     double columns[4][ZR_SOURCE_ROWS]; /* matrix columns, of ZR_SOURCE_ROWS rows */
     struct zr_matrix object_to_eye;
-    zr_mat4 to_eye; /* object_to_eye in float, as used for vertices */
+    zr_mat4 to_eye, to_clip; /* in float, as used for vertices */
 };
 
 /* Multiplies the float matrices of scene and camera in double. */
@@ -78,6 +79,16 @@ struct zr_geometry {
     struct zr_counts counts;              /* without draws that are not `counted` */
 };
 
+/* An end of a line, or a point. */
+struct zr_wire_end {
+    struct zr_window_vertex vertex;
+    struct zr_eye eye;
+};
+
+/* Computes both ends of a line, which are equal for a point. Points of clouds must be in view. */
+void zr_wire_ends(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number,
+                  struct zr_wire_end ends[2]);
+
 /* Returns the draw that contains primitive `number`. Takes logarithmic time in the number of draws. */
 const struct zr_draw *zr_draw_of(const struct zr_geometry *geometry, uint32_t number);
 
@@ -88,7 +99,7 @@ static inline const struct zr_draw *zr_draw_next(const struct zr_geometry *geome
     return zr_draw_holds(last, number) ? last : zr_draw_of(geometry, number);
 }
 
-/* Returns a primitive of the draw, with its corners in the order of rule 6. */
+/* Returns a primitive of the draw, with its corners in the order of rule 6. Points of clouds have no corners. */
 struct zr_triangle zr_triangle_of(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number);
 
 /* The mesh triangle that a primitive shows in whole or in part. */

@@ -162,22 +162,25 @@ enum zr_status zr_wire_lines(struct zr_builder *builder)
 
 /* ---- points ---- */
 
-/* Outcode bits that drop a point. */
-static unsigned outcode_of_point(const struct zr_builder *builder, uint32_t position)
-{
-    const unsigned code = builder->outcodes[position];
-    return ZR_MUTANT(points_cut_by_depth_alone, code, code & (3u << 4 | ZR_OUTCODE_UNPLACED));
-}
-
 static void place_point(struct zr_builder *builder, const struct zr_common *common, uint32_t position)
 {
     struct zr_counts *counts = &builder->geometry->counts;
     const struct zr_corner middle = {position, 0};
-    const unsigned code = outcode_of_point(builder, position);
+    const unsigned code = zr_outcode_of_point(builder->outcodes[position]);
     counts->points++;
     counts->outside_points += code != 0;
     counts->unplaced += code == ZR_OUTCODE_UNPLACED;
     if (code == 0) append_line(builder, common, middle, middle);
+}
+
+static enum zr_status add_cloud(struct zr_builder *builder, const struct zr_material *material)
+{
+    const struct zr_mesh *mesh = builder->mesh;
+    const struct zr_draw cloud = {.kind = ZR_DRAW_POINTS,
+                                  .count = mesh->point_count,
+                                  .material = material,
+                                  .first_face = mesh->face_count + mesh->line_count};
+    return zr_builder_add_draw(builder, cloud) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 enum zr_status zr_wire_points(struct zr_builder *builder)
@@ -185,6 +188,7 @@ enum zr_status zr_wire_points(struct zr_builder *builder)
     const struct zr_mesh *mesh = builder->mesh;
     struct zr_common common = {.material = &builder->scene->materials[mesh->material], .kind = ZR_DRAW_POINTS};
     if (common.material->is_hidden) return ZR_OK;
+    if (!builder->singly) return add_cloud(builder, common.material);
     for (uint32_t i = 0; i < mesh->point_count; i++) {
         if (!zr_builder_go_on(builder, POINT_WORK)) return ZR_CANCELLED;
         common.face = mesh->face_count + mesh->line_count + i;

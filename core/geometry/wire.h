@@ -11,7 +11,8 @@
 /* Appends the edges of a face's rings in the outline mode of its material. On failure, the arena has failed. */
 void zr_wire_outline(struct zr_builder *builder, uint32_t face);
 
-/* Append the lines and the points of the current mesh. Return ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Append the lines and the points of the current mesh. Unless primitives are placed singly, its points are one cloud.
+ * Return ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_wire_lines(struct zr_builder *builder);
 enum zr_status zr_wire_points(struct zr_builder *builder);
 

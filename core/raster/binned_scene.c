@@ -182,7 +182,7 @@ static void list_tiny_ones(const struct zr_bins *bins, uint32_t number, struct z
         }
 }
 
-/* ---- shapes, lines, points, triangles with a depth offset ---- */
+/* ---- shapes, lines, placed points, triangles with a depth offset ---- */
 
 static void draw_misc_one(const struct zr_binned_scene *binned, const struct zr_draw *draw, uint32_t number,
                           struct zr_tile *tile)
@@ -222,21 +222,6 @@ static uint32_t parts_of(const struct zr_geometry *geometry, const struct zr_dra
     return shape->edge_count + shape->triangle_count;
 }
 
-/* Points of a tile lie anywhere in memory: corners are prefetched first, and then the vertices that they name (a
- * quarter of the time of a million points of one pixel). */
-enum { POINTS_AHEAD = 12 };
-
-static void prefetch_points(const struct zr_geometry *geometry, const struct zr_draw *draw, const uint32_t *numbers,
-                            size_t left)
-{
-    if (left > 2 * POINTS_AHEAD && zr_draw_holds(draw, numbers[2 * POINTS_AHEAD]))
-        zr_prefetch(&draw->corners[3 * (size_t)(numbers[2 * POINTS_AHEAD] - draw->first)], 0, sizeof *draw->corners);
-    if (left > POINTS_AHEAD && zr_draw_holds(draw, numbers[POINTS_AHEAD])) {
-        const uint32_t corner = zr_draw_corner(draw, numbers[POINTS_AHEAD] - draw->first, 0);
-        zr_prefetch(&geometry->vertices[draw->first_vertex + corner], 0, sizeof *geometry->vertices);
-    }
-}
-
 static bool draw_list(const struct zr_binned_scene *binned, const uint32_t *misc, size_t count, bool may_miss,
                       const struct zr_cancel *cancel, struct zr_tile *tile)
 {
@@ -249,7 +234,6 @@ static bool draw_list(const struct zr_binned_scene *binned, const uint32_t *misc
             parts = 0;
         }
         int32_t box[4];
-        if (draw->kind == ZR_DRAW_POINTS) prefetch_points(binned->geometry, draw, misc + i, count - i);
         parts += parts_of(binned->geometry, draw, misc[i]);
         if (may_miss) zr_primitive_box(binned->geometry, draw, misc[i], box);
         if (may_miss && !zr_tile_touches(tile, box)) continue;
@@ -283,7 +267,7 @@ static bool has_more(const struct zr_mode_bins *mode_bins, uint32_t number)
     const struct zr_bins *bins = &mode_bins->bins;
     for (int i = 0; i < bins->worker_count; i++)
         if (bins->workers[i].tiles[number].small.first || bins->workers[i].tiles[number].fragments.first) return true;
-    return any_listed(&mode_bins->misc, number);
+    return any_listed(&mode_bins->misc, number) || zr_cloud_bins_any(&mode_bins->clouds, number);
 }
 
 static const struct zr_binned_scene *binned_of(const struct zr_visibility *visibility)
@@ -310,7 +294,7 @@ static bool keeps_early_color(const struct zr_mode_bins *mode_bins, uint32_t num
         small += bins->workers[i].tiles[number].small.block_count;
     }
     return (fragments >= BLOCKS_WITH_COLOR || small >= SMALL_BLOCKS_WITH_COLOR) &&
-           !any_listed(&mode_bins->misc, number);
+           !any_listed(&mode_bins->misc, number) && !zr_cloud_bins_any(&mode_bins->clouds, number);
 }
 
 static bool draw_tile(const struct zr_visibility *visibility, uint32_t number, const struct zr_cancel *cancel,
@@ -336,7 +320,8 @@ static bool draw_tile(const struct zr_visibility *visibility, uint32_t number, c
     if (tile->has_early_color) memset(tile->early_color, 0, sizeof tile->early_color);
     if (!put_small_ones(binned, &opaque->bins, number, cancel, tile)) return false;
     draw_tiny_ones(binned, number, tile);
-    return draw_misc(binned, &opaque->misc, number, cancel, tile);
+    return draw_misc(binned, &opaque->misc, number, cancel, tile) &&
+           zr_cloud_bins_draw(&opaque->clouds, number, cancel, tile);
 }
 
 static bool list_fragments(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
@@ -347,7 +332,8 @@ static bool list_fragments(const struct zr_visibility *visibility, uint32_t numb
     if (!list_wide_ones(binned, &mode_bins->bins, number, cancel, tile)) return false;
     if (!put_small_ones(binned, &mode_bins->bins, number, cancel, tile)) return false;
     list_tiny_ones(&mode_bins->bins, number, tile);
-    return draw_misc(binned, &mode_bins->misc, number, cancel, tile);
+    return draw_misc(binned, &mode_bins->misc, number, cancel, tile) &&
+           zr_cloud_bins_draw(&mode_bins->clouds, number, cancel, tile);
 }
 
 /* ---- binning ---- */
@@ -370,7 +356,10 @@ enum zr_status zr_binned_scene_make(const struct zr_run *run, const struct zr_ge
         struct zr_mode_bins *mode_bins = &binned->modes[mode];
         status = zr_bins_build(run, geometry, mode, prepaints, width, height, &mode_bins->bins);
         if (status == ZR_OK) status = zr_misc_bins_build(run, geometry, mode, width, height, &mode_bins->misc);
-        if (status == ZR_OK) zr_counts_add(&binned->visibility.counts, &mode_bins->bins.counts);
+        if (status == ZR_OK) status = zr_cloud_bins_build(run, geometry, mode, width, height, &mode_bins->clouds);
+        if (status != ZR_OK) break;
+        zr_counts_add(&binned->visibility.counts, &mode_bins->bins.counts);
+        zr_counts_add(&binned->visibility.counts, &mode_bins->clouds.counts);
     }
     return status;
 }

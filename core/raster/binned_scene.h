@@ -8,6 +8,7 @@
 
 #include "base/run.h"
 #include "raster/bins.h"
+#include "raster/cloud_bins.h"
 #include "raster/halfspace.h"
 #include "raster/misc_bins.h"
 #include "raster/small.h"
@@ -17,6 +18,7 @@
 struct zr_mode_bins {
     struct zr_bins bins;
     struct zr_misc_bins misc;
+    struct zr_cloud_bins clouds;
 };
 
 /* The geometry of a window, binned by alpha mode and tile. */

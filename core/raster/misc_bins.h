@@ -1,5 +1,5 @@
-/* misc_bins.h - raster: bins shapes, lines, points, and triangles with a depth offset into tiles. bins.h handles all
- * other triangles.
+/* misc_bins.h - raster: bins shapes, lines, points that were placed singly, and triangles with a depth offset into
+ * tiles. bins.h handles all other triangles, and cloud_bins.h clouds.
  *
  * A primitive that touches at most ZR_MISC_BINS_TILES tiles is listed in each of them; a larger one goes into one list
  * that every tile processes. A line is listed in the tiles that it crosses, and a point in all tiles that it touches.

@@ -41,28 +41,55 @@ static int32_t first_of(int32_t snapped, int32_t width)
     return ((from_corner + ZR_MUTANT(even_points_lean, HALF_PIXEL, 0)) >> ZR_SUBPIXEL_BITS) - width / 2;
 }
 
-void zr_point_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number, int32_t box[4])
+void zr_point_box_at(const struct zr_window_vertex *middle, int32_t width, int32_t box[4])
 {
-    const struct zr_window_vertex *middle = middle_of(geometry, draw, number);
-    const int32_t width = zr_point_width(draw->mesh->point_size, geometry->window.point_scale);
     box[0] = first_of(zr_snapped_x(middle), width);
     box[1] = first_of(zr_snapped_y(middle), width);
     box[2] = box[0] + width - 1;
     box[3] = box[1] + width - 1;
 }
 
+void zr_point_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number, int32_t box[4])
+{
+    const int32_t width = zr_point_width(draw->mesh->point_size, geometry->window.point_scale);
+    zr_point_box_at(middle_of(geometry, draw, number), width, box);
+}
+
+/* zr_tile_put for pixels first .. last of a row, without branches on the kind of tile. */
+static inline void put_row(struct zr_tile *tile, uint32_t first, uint32_t last, float depth, uint32_t owner)
+{
+    for (uint32_t i = first; i <= last; i++)
+        zr_tile_put_at(tile, i, depth, owner);
+}
+
+uint32_t zr_point_put(const struct zr_point_shape *shape, float depth, uint32_t owner, struct zr_tile *tile)
+{
+    const int32_t low_x = shape->x - tile->x, low_y = shape->y - tile->y, width = shape->width;
+    const int32_t y0 = low_y > 0 ? low_y : 0, y1 = low_y + width < tile->height ? low_y + width : tile->height;
+    uint32_t pixels = 0;
+    for (int32_t y = y0; y < y1; y++) {
+        const int32_t from_end = y - low_y < low_y + width - 1 - y ? y - low_y : low_y + width - 1 - y;
+        const int32_t lacks = from_end < shape->cut ? shape->cut - from_end : 0, first = low_x + lacks;
+        const int32_t x0 = first > 0 ? first : 0, end = low_x + width - lacks;
+        const int32_t x1 = end < tile->width ? end : tile->width;
+        if (x0 >= x1) continue;
+        const uint32_t at = (uint32_t)(y * ZR_TILE_STRIDE);
+        pixels += (uint32_t)(x1 - x0);
+        if (!tile->fragments)
+            put_row(tile, at + (uint32_t)x0, at + (uint32_t)x1 - 1, depth, owner);
+        else
+            for (int32_t x = x0; x < x1; x++)
+                zr_tile_list_at(tile, at + (uint32_t)x, depth, owner);
+    }
+    return pixels;
+}
+
 void zr_point_draw(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number,
                    struct zr_tile *tile)
 {
-    const int32_t last_x = tile->x + tile->width - 1, last_y = tile->y + tile->height - 1;
-    const float depth = zr_depth_clamp(middle_of(geometry, draw, number)->z);
     int32_t box[4];
     zr_point_box(geometry, draw, number, box);
-    const int32_t cut = zr_point_cut(draw->mesh, box[2] - box[0] + 1);
-    for (int32_t y = box[1] > tile->y ? box[1] : tile->y; y <= box[3] && y <= last_y; y++) {
-        const int32_t row = y - box[1] < box[3] - y ? y - box[1] : box[3] - y, lacks = row < cut ? cut - row : 0;
-        const int32_t first = box[0] + lacks, last = box[2] - lacks;
-        for (int32_t x = first > tile->x ? first : tile->x; x <= last && x <= last_x; x++)
-            zr_tile_put(tile, x, y, depth, number + 1);
-    }
+    const int32_t width = box[2] - box[0] + 1;
+    const struct zr_point_shape shape = {box[0], box[1], width, zr_point_cut(draw->mesh, width)};
+    zr_point_put(&shape, zr_depth_clamp(middle_of(geometry, draw, number)->z), number + 1, tile);
 }

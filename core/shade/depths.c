@@ -110,7 +110,7 @@ static void add_any(struct depths *d, uint32_t number)
     if (triangle.line) {
         make_waiting(d);
         if (d->shares) d->shares[d->count] = zr_eye_shares_none();
-        d->depths[d->count++] = zr_eye_depth_of_line(d->geometry, &triangle);
+        d->depths[d->count++] = zr_eye_depth_of_line(d->geometry, d->draw, number);
         return;
     }
     const struct zr_source source = zr_source_of(d->geometry, d->draw, triangle.v);
@@ -125,7 +125,7 @@ static void add_any(struct depths *d, uint32_t number)
 static void add(struct depths *d, uint32_t number)
 {
     const struct zr_draw *draw = d->draw = zr_draw_next(d->geometry, d->draw, number);
-    if (draw->counted) {
+    if (draw->counted || zr_draw_is_cloud(draw)) {
         add_any(d, number);
         return;
     }

@@ -29,6 +29,7 @@ struct making {
     const zr_vec4 *line_colors;
     const zr_vec4 *points, *normals[ZR_RATE_CORNER + 1]; /* arrays; NULL: not made */
     const struct zr_eye_vectors *loaded_points;          /* instead of arrays */
+    const struct zr_eye_vectors *cloud_points;
     const struct zr_eye_normals *loaded_normals[ZR_RATE_CORNER + 1];
     const zr_vec4 *texcoords; /* transformed by texcoords_of; that NULL: as in the mesh */
     const struct zr_texture *texcoords_of;
@@ -77,9 +78,9 @@ static void begin_instance(struct making *m, uint32_t number)
     while (cut < g->cut_count && g->cuts[cut].first_vertex < end)
         cut++;
     m->cut_end = cut;
-    m->made = end - m->instance->first_vertex - m->mesh->position_count;
+    m->made = end - m->instance->first_vertex - m->instance->vertex_count;
     m->has_colors = false;
-    m->loaded_points = NULL;
+    m->loaded_points = m->cloud_points = NULL;
     m->line_colors = m->points = m->texcoords = m->tangents = NULL;
     memset(m->normals, 0, sizeof m->normals);
     memset(m->loaded_normals, 0, sizeof m->loaded_normals);
@@ -154,6 +155,15 @@ static bool find_line_colors(struct making *m)
     return true;
 }
 
+/* Gives a cloud the mesh's own colours (cloud_values.h). */
+static void color_cloud(const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
+{
+    const zr_vec4 *colors = draw->mesh->colors;
+    of_draw->attributes[ZR_ATTRIBUTE_COLOR] = colors ? (struct zr_attribute){ZR_RATE_VERTEX, colors}
+                                                     : (struct zr_attribute){ZR_RATE_DRAW, &draw->material->base_color};
+    of_draw->color_count = 1;
+}
+
 static bool color_lines(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
     struct zr_attribute *color = &of_draw->attributes[ZR_ATTRIBUTE_COLOR];
@@ -189,6 +199,10 @@ static bool color_faces(struct making *m, const struct zr_draw *draw, struct zr_
 
 static bool color(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
+    if (zr_draw_is_cloud(draw)) {
+        color_cloud(draw, of_draw);
+        return true;
+    }
     if (draw->kind == ZR_DRAW_LINES || draw->kind == ZR_DRAW_POINTS) return color_lines(m, draw, of_draw);
     if (draw->kind != ZR_DRAW_OUTLINES || draw->material->outline != ZR_OUTLINE_COLORED)
         return color_faces(m, draw, of_draw);
@@ -268,12 +282,28 @@ static void put_points(const struct making *m, const void *from, const uint32_t 
         out[k] = zr_eye_vector(from, numbers[k]);
 }
 
+static struct zr_eye_vectors points_of(const struct making *m)
+{
+    return (struct zr_eye_vectors){.positions = m->mesh->positions,
+                                   .count = m->mesh->position_count,
+                                   .to_eye = m->instance->to_eye,
+                                   .eye = m->out->eye};
+}
+
+/* Points of clouds are made for visible ones alone. */
+static bool find_cloud_points(struct making *m, struct zr_draw_attributes *of_draw)
+{
+    const struct zr_eye_vectors from = points_of(m);
+    if (!m->cloud_points) m->cloud_points = zr_arena_copy(m->run->arena, &from, sizeof from);
+    of_draw->points = m->cloud_points;
+    return m->cloud_points != NULL;
+}
+
 /* Makes the points of the instance: an array, or their input. */
 static bool make_points(struct making *m)
 {
     const uint32_t own = m->mesh->position_count;
-    struct zr_eye_vectors from = {
-        .positions = m->mesh->positions, .count = own, .to_eye = m->instance->to_eye, .eye = m->out->eye};
+    struct zr_eye_vectors from = points_of(m);
     if (are_loaded(m)) {
         from.cut = make_cut(m, ZR_RATE_VERTEX, put_points, &from);
         m->loaded_points = zr_arena_copy(m->run->arena, &from, sizeof from);
@@ -287,8 +317,9 @@ static bool make_points(struct making *m)
     return zr_arena_ok(m->run->arena);
 }
 
-static bool find_points(struct making *m, struct zr_draw_attributes *of_draw)
+static bool find_points(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *of_draw)
 {
+    if (zr_draw_is_cloud(draw)) return find_cloud_points(m, of_draw);
     if (!m->points && !m->loaded_points && !make_points(m)) return false;
     of_draw->points = m->loaded_points;
     of_draw->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points};
@@ -355,6 +386,7 @@ static bool make_of_draw(struct making *m, const struct zr_draw *draw, struct zr
 {
     of_draw->draw = draw;
     of_draw->material = (uint32_t)(draw->material - m->scene->materials);
+    of_draw->eye = m->out->eye;
     if (m->colors && !color(m, draw, of_draw)) return false;
     const bool of_wires = zr_draw_is_of_wires(draw);
     const bool by_normals = m->colors && !of_wires && zr_material_is_per_pixel(draw->material);
@@ -364,7 +396,7 @@ static bool make_of_draw(struct making *m, const struct zr_draw *draw, struct zr
     if (textured && m->wants->samples && zr_material_has_tangents(draw->material) &&
         !find_tangents(m, &of_draw->attributes[ZR_ATTRIBUTE_TANGENT]))
         return false;
-    if ((of_draw->is_per_pixel || m->wants->samples) && !find_points(m, of_draw)) return false;
+    if ((of_draw->is_per_pixel || m->wants->samples) && !find_points(m, draw, of_draw)) return false;
     return of_wires || !(by_normals || m->wants->normals || m->wants->samples) || find_normals(m, draw, of_draw);
 }
 

@@ -34,7 +34,7 @@ enum {
  * triangle is loaded for each patch of samples that it covers. Pixels do not depend on it. */
 enum { ZR_LOADED_VERTICES = 1 << 15 };
 
-/* Attributes of one draw. */
+/* Attributes of one draw. Those of clouds are inputs of cloud_values.h. */
 struct zr_draw_attributes {
     const struct zr_draw *draw;
     struct zr_attribute attributes[ZR_ATTRIBUTE_COUNT];
@@ -48,6 +48,7 @@ struct zr_draw_attributes {
     uint32_t material;      /* number in the scene */
     bool two_sided_colors;  /* backs are drawn in colours of their own */
     bool is_per_pixel;      /* shaded per pixel: zr_material_is_per_pixel, fog or textures */
+    zr_vec4 eye;            /* as in zr_scene_attributes */
     const uint32_t *backs;  /* bits of zr_prepaint.backs, which binning fills in (zr_paint_prepare); NULL: none */
 };
 

@@ -14,13 +14,9 @@ static double most(const double v[3])
     return high > v[2] ? high : v[2];
 }
 
-/* Computes the depths at the corners of a line or a clipped piece. Only those have an entry in geometry->eyes. */
-static void eye_depths(const struct zr_geometry *geometry, const struct zr_triangle *primitive, double out[3])
+static double depth_of(const struct zr_eye *eye)
 {
-    for (int k = 0; k < 3; k++) {
-        const struct zr_eye *eye = &geometry->eyes[primitive->v[k]];
-        out[k] = -(double)eye->z / (double)eye->w;
-    }
+    return -(double)eye->z / (double)eye->w;
 }
 
 /* ---- lines ---- */
@@ -35,17 +31,20 @@ static struct zr_eye_plane line_plane(const struct zr_window_vertex *const v[2],
     return (struct zr_eye_plane){p0 - (dadx * (x0 - 0.5) + dady * (y0 - 0.5)), dadx, dady};
 }
 
-struct zr_eye_depth zr_eye_depth_of_line(const struct zr_geometry *geometry, const struct zr_triangle *primitive)
+struct zr_eye_depth zr_eye_depth_of_line(const struct zr_geometry *geometry, const struct zr_draw *draw,
+                                         uint32_t number)
 {
-    const struct zr_window_vertex *const v[2] = {&geometry->vertices[primitive->v[0]],
-                                                 &geometry->vertices[primitive->v[1]]};
+    struct zr_wire_end ends[2];
+    zr_wire_ends(geometry, draw, number, ends);
+    const struct zr_window_vertex *const v[2] = {&ends[0].vertex, &ends[1].vertex};
     double z[2], w[2], depths[3];
-    eye_depths(geometry, primitive, depths);
     for (int k = 0; k < 2; k++) {
-        const struct zr_eye *eye = &geometry->eyes[primitive->v[k]];
+        const struct zr_eye *eye = &ends[k].eye;
+        depths[k] = depth_of(eye);
         z[k] = -(double)eye->z * (double)v[k]->oow;
         w[k] = (double)eye->w * (double)v[k]->oow;
     }
+    depths[2] = depths[1];
     return (struct zr_eye_depth){line_plane(v, z[0], z[1]), line_plane(v, w[0], w[1]), least(depths), most(depths)};
 }
 
@@ -61,7 +60,8 @@ void zr_eye_depth_take_piece(const struct zr_geometry *geometry, const struct zr
                              struct zr_eye_depth *depth)
 {
     double depths[3];
-    eye_depths(geometry, piece, depths);
+    for (int k = 0; k < 3; k++)
+        depths[k] = depth_of(&geometry->eyes[piece->v[k]]); /* clipping has made entries */
     depth->min = least(depths);
     depth->max = most(depths);
     zr_eye_depth_widen(depth);

@@ -30,8 +30,9 @@ static inline struct zr_eye_depth zr_eye_depth_uncovered(void)
     return (struct zr_eye_depth){{(double)INFINITY, 0, 0}, {1, 0, 0}, (double)INFINITY, (double)INFINITY};
 }
 
-/* Makes the depth of a line. */
-struct zr_eye_depth zr_eye_depth_of_line(const struct zr_geometry *geometry, const struct zr_triangle *line);
+/* Makes the depth of a line or a point. */
+struct zr_eye_depth zr_eye_depth_of_line(const struct zr_geometry *geometry, const struct zr_draw *draw,
+                                         uint32_t number);
 
 /* Widen the range, or take the range of a clipped piece, widened. For triangles with corners that are not in front of
  * the eye. The margin is so wide that only edge-on triangles can be clamped. */

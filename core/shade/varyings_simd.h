@@ -8,6 +8,7 @@
 #ifndef ZR_VARYINGS_SIMD_H
 #define ZR_VARYINGS_SIMD_H
 
+#include "shade/cloud_values.h"
 #include "shade/tangents_simd.h"
 
 /* ---- planes ---- */
@@ -157,6 +158,20 @@ ZR_INLINED void zr_put_material(struct zr_shader *s, const struct zr_draw_run *r
     for (uint32_t i = run->first; i < run->first + ZR_LANES; i++)
         s->materials[i] = is_per_pixel ? material : NULL;
     s->any_per_pixel |= is_per_pixel;
+}
+
+/* Prefetches what the planes of a run of points need. */
+ZR_INLINED void zr_prefetch_run(const struct zr_shader *s, uint32_t run)
+{
+    if (run >= s->run_count || !zr_draw_is_cloud(s->runs[run].draw)) return;
+    zr_cloud_prefetch(s->runs[run].of_draw, s->parts.owners + s->runs[run].first, s->runs[run].count);
+}
+
+/* Called before the planes of a run are put: prefetches for the next one, and for the first itself. */
+ZR_INLINED void zr_look_ahead(const struct zr_shader *s, uint32_t run)
+{
+    if (run == 0) zr_prefetch_run(s, 0);
+    zr_prefetch_run(s, run + 1);
 }
 
 ZR_INLINED void zr_put_run(struct zr_shader *s, const struct zr_draw_run *run, unsigned mask)
@@ -340,8 +355,10 @@ ZR_INLINED void zr_varyings_fill(struct zr_shader *s, const struct zr_tile *tile
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     s->any_per_pixel = false;
     s->materials[0] = NULL;
-    for (uint32_t i = 0; i < s->run_count; i++)
+    for (uint32_t i = 0; i < s->run_count; i++) {
+        zr_look_ahead(s, i);
         zr_put_run(s, &s->runs[i], mask);
+    }
     if (mask & ZR_VARY_TEXCOORDS && !s->any_per_pixel) return;
     for (int b = begin; b < end; b++) {
         if (b % ZR_BLOCK_COLUMNS >= across || (mask & ZR_VARY_TEXCOORDS && !zr_block_is_textured(s, b))) continue;

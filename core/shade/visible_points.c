@@ -123,7 +123,7 @@ static struct shown shown_make(struct points *points, uint32_t owner)
     const struct zr_triangle triangle = zr_triangle_of(geometry, points->draw, owner - 1);
     struct shown shown = {.owner = owner, .instance = &geometry->instances[points->draw->instance]};
     if (triangle.line) {
-        shown.depth = zr_eye_depth_of_line(geometry, &triangle);
+        shown.depth = zr_eye_depth_of_line(geometry, points->draw, owner - 1);
         return shown;
     }
     const struct zr_source source = zr_source_of(geometry, points->draw, triangle.v);

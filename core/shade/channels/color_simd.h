@@ -103,6 +103,7 @@ ZR_INLINED void zr_shade_colors_by(struct zr_shader *s, const struct zr_tile *ti
     for (uint32_t i = 0; i < s->run_count + ZR_RUNS_AHEAD; i++) {
         struct zr_color_places *of_run = &places[i % ZR_RUNS_AHEAD];
         if (i >= ZR_RUNS_AHEAD) zr_make_colors(s, &s->runs[i - ZR_RUNS_AHEAD], of_run, mask);
+        zr_prefetch_run(s, i);
         if (i < s->run_count) zr_look_up_colors(s, &s->runs[i], of_run);
     }
     const struct zr_store finish = {tile, tile->has_early_color, to->behind.first ? &to->behind : NULL,

@@ -47,6 +47,7 @@ ZR_INLINED void set_up(struct listed *l, unsigned mask)
     l->s.any_per_pixel = false;
     for (uint32_t i = 0; i < l->s.run_count; i++) {
         const struct zr_draw_run *run = &l->s.runs[i];
+        zr_look_ahead(&l->s, i);
         zr_put_run(&l->s, run, mask);
         for (uint32_t part = run->first; part < run->first + run->count; part++)
             l->material[part] = run->of_draw->material;
