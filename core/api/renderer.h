@@ -39,8 +39,8 @@ struct zr_team *zr_renderer_team(zraster *renderer);
 
 enum zr_arena_use { ZR_ARENA_SCRATCH, ZR_ARENA_RESULT };
 
-/* Takes an empty arena, kept or new, with the ceiling memory_max. It is charged with `beside` bytes, which another arena
- * of the call holds. NULL without memory. */
+/* Takes an empty arena, kept or new, with the ceiling memory_max. It is charged with `beside` bytes, which another
+ * arena of the call holds. NULL without memory. */
 struct zr_arena *zr_renderer_take(zraster *renderer, enum zr_arena_use use, size_t beside);
 
 /* Returns an arena; NULL does nothing. Keeps its blocks as far as memory_keep allows. */

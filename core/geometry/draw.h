@@ -1,9 +1,9 @@
 /* draw.h - geometry: runs of primitives of one kind, one instance and one material.
  *
  * Most draws are unclipped triangles of a mesh: nothing is copied, the draw points to their corners. Pieces of clipped
- * triangles, parts of shapes, and lines have arrays of their own, with the same layout. A cloud is all points of a mesh,
- * with neither arrays nor window vertices. Primitive numbers follow the order of the scene over all draws: at equal
- * depths, the smaller number is visible. */
+ * triangles, parts of shapes, and lines have arrays of their own, with the same layout. A cloud is all points of a
+ * mesh, with neither arrays nor window vertices. Primitive numbers follow the order of the scene over all draws: at
+ * equal depths, the smaller number is visible. */
 #ifndef ZR_DRAW_H
 #define ZR_DRAW_H
 

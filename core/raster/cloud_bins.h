@@ -3,9 +3,9 @@
  *
  * Space:  window space, y up.
  * How:    threads take ranges of points, transform them block by block, and append a record of 12 bytes to each cell
- *         that a point touches, in lists of their own. A cell has at least the width of the points in it, so that a point
- *         touches four at most: tiles for points up to ZR_TILE_SIZE pixels, and squares of tiles for larger ones. The
- *         order within a list has no effect (tile.h: zr_tile_put). */
+ *         that a point touches, in lists of their own. A cell has at least the width of the points in it, so that a
+ *         point touches four at most: tiles for points up to ZR_TILE_SIZE pixels, and squares of tiles for larger ones.
+ *         The order within a list has no effect (tile.h: zr_tile_put). */
 #ifndef ZR_CLOUD_BINS_H
 #define ZR_CLOUD_BINS_H
 

@@ -7,8 +7,8 @@
 #include "base/inlined.h"
 #include "shade/draw_attributes.h"
 
-/* Prefetches the values of visible points of a cloud, which lie anywhere in memory. (gcc 12 drops calls of functions that
- * only prefetch, unless they are inlined.) */
+/* Prefetches the values of visible points of a cloud, which lie anywhere in memory. (gcc 12 drops calls of functions
+ * that only prefetch, unless they are inlined.) */
 ZR_INLINED void zr_cloud_prefetch(const struct zr_draw_attributes *of_draw, const uint32_t *owners, uint32_t count)
 {
     const struct zr_attribute *color = &of_draw->attributes[ZR_ATTRIBUTE_COLOR];

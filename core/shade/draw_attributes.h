@@ -1,9 +1,9 @@
 /* draw_attributes.h - shade: the vertex attributes of each draw: colours, and the inputs of its shading and channels.
  *
- * All values are made before visibility, so vertices are lit once. Points and normals of large meshes are the exception:
- * they are made when they are loaded, as most of their triangles are hidden or cover a few samples, and arrays would take
- * up to 96 bytes per triangle. Vertices that clipping made get interpolated values (geometry/cut.h), from colours that
- * are lit and clamped to 0..1.
+ * All values are made before visibility, so vertices are lit once. Points and normals of large meshes are the
+ * exception: they are made when they are loaded, as most of their triangles are hidden or cover a few samples, and
+ * arrays would take up to 96 bytes per triangle. Vertices that clipping made get interpolated values (geometry/cut.h),
+ * from colours that are lit and clamped to 0..1.
  */
 #ifndef ZR_DRAW_ATTRIBUTES_H
 #define ZR_DRAW_ATTRIBUTES_H

@@ -34,8 +34,8 @@ static inline void zr_put_cut_values(const zr_vec4 *cut, uint32_t lanes, zr_vi n
     }
 }
 
-/* Make zr_eye_vector of vertices first + ..., and zr_eye_normals_make's values by their numbers, with w = 0. Compiled in
- * kernels of their own (eye_vectors_kernel.c, eye_normals_kernel.c), since their code would be inlined many times.
+/* Make zr_eye_vector of vertices first + ..., and zr_eye_normals_make's values by their numbers, with w = 0. Compiled
+ * in kernels of their own (eye_vectors_kernel.c, eye_normals_kernel.c), since their code would be inlined many times.
  * has_depth: w is made, else undefined. */
 void ZR_KERNEL(zr_eye_vectors_at)(const struct zr_eye_vectors *of, uint32_t first, const int32_t (*vertices)[ZR_LANES],
                                   bool has_depth, struct zr_eye_values *out);

@@ -1,5 +1,5 @@
-/* Points and normals that are made when they are loaded have the bytes of those in arrays: each scene of tests/scenes is
- * drawn again with unused vertices, so many that nothing is kept in arrays. */
+/* Points and normals that are made when they are loaded have the bytes of those in arrays: each scene of tests/scenes
+ * is drawn again with unused vertices, so many that nothing is kept in arrays. */
 #include <stdlib.h>
 #include <string.h>
 

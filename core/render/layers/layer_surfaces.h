@@ -4,9 +4,9 @@
  * occlusion.
  * X-rays and glass change their opacity quickly at grazing angles. An opacity above 0.35 is the mean over the samples,
  * of which those in a quarter of the pixel have the opacity of one. Surfaces of a pixel are ordered by the depths of
- * their samples nearest to its middle. At equal depth, the earlier primitive is in front. Each is laid over its samples,
- * from the farthest to the nearest. If two cross within a pixel of at most 64 surfaces, by more than 1e-6 of depth, each
- * sample has an order of its own.
+ * their samples nearest to its middle. At equal depth, the earlier primitive is in front. Each is laid over its
+ * samples, from the farthest to the nearest. If two cross within a pixel of at most 64 surfaces, by more than 1e-6 of
+ * depth, each sample has an order of its own.
  * Exact:  + - * / in one order: every instruction set and thread count gives the same bytes.
  * Source: Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", 1984.
  */

@@ -290,8 +290,8 @@ static const uint32_t *pick_window(enum windows windows, struct random *r)
     return any[random_below(r, sizeof any / sizeof *any)];
 }
 
-/* Some pictures have several samples per pixel, and some wide lines; by numbers of their own, so that nothing else of the
- * picture depends on it. Large windows have fewer samples, for they take as much longer. */
+/* Some pictures have several samples per pixel, and some wide lines; by numbers of their own, so that nothing else of
+ * the picture depends on it. Large windows have fewer samples, for they take as much longer. */
 static void choose_samples(const struct generator *generator, uint64_t seed, uint64_t frame, struct drawing *drawing)
 {
     enum { MANY_SAMPLES_MAX = 20000 };

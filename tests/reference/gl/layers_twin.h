@@ -34,7 +34,8 @@ bool layers_twin_is_for(const struct zr_scene *scene);
 bool layers_twin_draw(const struct layers_twin *twin, const struct layers_picture *picture,
                       struct reference_error *error);
 
-/* How many pixels of the scene's own sums, as core/render/layers/layers.h makes them, differ from the picture's by a bit. */
+/* How many pixels of the scene's own sums, as core/render/layers/layers.h makes them, differ from the picture's by a
+ * bit. */
 uint64_t layers_twin_compare(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                              const struct zr_camera *camera, const struct layers_picture *picture);
 

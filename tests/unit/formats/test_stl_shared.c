@@ -1,4 +1,5 @@
-/* Binary STL whose vertices are in common: one position each, if the outputs are the same as with three per triangle. */
+/* Binary STL whose vertices are in common: one position each, if the outputs are the same as with three per triangle.
+ */
 #include "unit/common/by_teams.h"
 
 #include "support/tests.h"
