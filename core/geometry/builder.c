@@ -43,13 +43,22 @@ static bool reserve(struct zr_arena *arena, void **array, uint32_t *room, uint32
 bool zr_builder_reserve_vertices(struct zr_builder *builder, uint64_t more)
 {
     struct zr_geometry *g = builder->geometry;
-    void *vertices = g->vertices, *eyes = g->eyes;
-    uint32_t eye_room = builder->vertex_room;
-    if (!reserve(builder->run->arena, &eyes, &eye_room, g->vertex_count, more, sizeof *g->eyes) ||
-        !reserve(builder->run->arena, &vertices, &builder->vertex_room, g->vertex_count, more, sizeof *g->vertices))
+    void *vertices = g->vertices;
+    if (!reserve(builder->run->arena, &vertices, &builder->vertex_room, g->vertex_count, more, sizeof *g->vertices))
         return false;
     g->vertices = vertices;
+    return !g->eyes || zr_builder_reserve_eyes(builder);
+}
+
+bool zr_builder_reserve_eyes(struct zr_builder *builder)
+{
+    struct zr_geometry *g = builder->geometry;
+    if (g->eyes && builder->eye_room >= builder->vertex_room) return true;
+    struct zr_eye *eyes =
+        zr_arena_grow(builder->run->arena, g->eyes, g->eyes ? g->vertex_count : 0, builder->vertex_room, sizeof *eyes);
+    if (!eyes) return false;
     g->eyes = eyes;
+    builder->eye_room = builder->vertex_room;
     return true;
 }
 
@@ -192,7 +201,8 @@ bool zr_builder_append_cut(struct zr_builder *builder, const struct zr_clipped *
                            bool placed[ZR_CLIP_MAX])
 {
     struct zr_geometry *g = builder->geometry;
-    if (!zr_builder_reserve_vertices(builder, (uint64_t)clipped->count) || !note_cut(builder, clipped, corners))
+    if (!zr_builder_reserve_vertices(builder, (uint64_t)clipped->count) || !zr_builder_reserve_eyes(builder) ||
+        !note_cut(builder, clipped, corners))
         return false;
     const struct zr_mesh *mesh = builder->mesh;
     const uint32_t slots = mesh->face_offsets[mesh->face_count], first = g->vertex_count - builder->first_vertex;

@@ -46,8 +46,9 @@ struct zr_builder {
     uint64_t unchecked; /* work since the last check of `run->cancel`, summed over instances */
     const struct zr_scene *scene;
     struct zr_geometry *geometry;
-    bool singly;                                                      /* each primitive is placed by itself */
-    uint32_t vertex_room, shape_room, edge_room, cut_room, draw_room; /* capacities of the geometry's arrays */
+    bool singly; /* each primitive is placed by itself */
+    /* capacities of the geometry's arrays */
+    uint32_t vertex_room, eye_room, shape_room, edge_room, cut_room, draw_room;
     struct zr_placed placed;
     struct zr_viewport viewport;
     struct zr_cutting cutting;
@@ -72,6 +73,10 @@ bool zr_builder_go_on(struct zr_builder *builder, uint64_t work);
  * would exceed ZR_GEOMETRY_MAX. */
 bool zr_builder_reserve_vertices(struct zr_builder *builder, uint64_t more);
 bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges);
+
+/* Ensures an entry of geometry->eyes for each vertex that there is room for. Lines and clipped vertices need them; other
+ * scenes have none. Returns false if the arena failed. */
+bool zr_builder_reserve_eyes(struct zr_builder *builder);
 
 /* Appends a draw of the current instance; an empty draw is ignored. Sets the members that describe the instance, and
  * `first`. Returns false if the arena failed. */

@@ -21,6 +21,7 @@ static void append_line(struct zr_builder *builder, const struct zr_common *comm
                         struct zr_corner to)
 {
     const struct zr_corner ends[3] = {from, to, to};
+    if (!zr_builder_reserve_eyes(builder)) return;
     own_eye(builder, from.vertex);
     own_eye(builder, to.vertex);
     zr_builder_place(builder, common, ends);

@@ -218,7 +218,7 @@ typedef void put_fn(const struct making *m, const void *from, const uint32_t *nu
 
 static bool are_loaded(const struct making *m)
 {
-    return m->geometry->vertex_count >= ZR_LOADED_VERTICES;
+    return m->geometry->vertex_count >= ZR_LOADED_VERTICES && m->mesh->position_count >= ZR_LOADED_MESH;
 }
 
 /* Makes the values of clipped vertices alone. `put` writes those of three numbers of `from`. */

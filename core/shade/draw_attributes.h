@@ -30,9 +30,11 @@ enum {
     ZR_ATTRIBUTE_COUNT
 };
 
-/* Vertices of a pass from which on points and normals are made when they are loaded. Arrays of fewer take less time: a
- * triangle is loaded for each patch of samples that it covers. Pixels do not depend on it. */
-enum { ZR_LOADED_VERTICES = 1 << 15 };
+/* Vertices of a pass, and of the mesh, from which on points and normals are made when they are loaded. Pixels do not
+ * depend on it. Otherwise arrays take less time: a triangle is loaded for each patch of samples that it covers, and few
+ * triangles of a small mesh are loaded together. In the look studio, 100 meshes of 2930 vertices take a fifth less time
+ * without arrays, 400 of 507 as long, 20 000 of 8 a sixth more, and one of 507 1 to 4 % more. */
+enum { ZR_LOADED_VERTICES = 1 << 15, ZR_LOADED_MESH = 1 << 10 };
 
 /* Attributes of one draw. Those of clouds are inputs of cloud_values.h. */
 struct zr_draw_attributes {

@@ -33,9 +33,10 @@ static inline uint32_t zr_stl_hash(const uint32_t words[3])
     return (uint32_t)(h >> 32);
 }
 
-/* Sets firsts[c] to the first corner that equals corner c. Returns the number of different ones; 0 if it exceeds a
- * third of the corners, when sharing does not pay, if the arena failed, or if cancelled: the result is then undefined.
- * `hashes`: of all corners. The run's arena holds scratch: up to 6 bytes per corner. */
+/* Sets firsts[c] to the first corner that equals corner c. Returns the number of different ones. Returns 0, with an
+ * undefined result, if there are more than a third of the corners, when sharing does not pay, if hashes were made to
+ * collide, if the arena failed, or if cancelled. `hashes`: of all corners. The run's arena holds scratch: up to 7 bytes
+ * per corner. */
 size_t zr_stl_weld(const struct zr_run *run, const char *triangles, size_t corners, const uint32_t *hashes,
                    uint32_t *firsts);
 

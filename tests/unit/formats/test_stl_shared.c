@@ -2,6 +2,7 @@
  */
 #include "unit/common/by_teams.h"
 
+#include "input/stl/stl_weld.h"
 #include "support/tests.h"
 
 enum { HEADER_BYTES = 84, TRIANGLE_BYTES = 50, SIDE = 60, PLACES = (SIDE + 1) * (SIDE + 1), FACES = 2 * SIDE * SIDE };
@@ -145,6 +146,29 @@ TEST(few_triangles_and_different_vertices_have_three_per_triangle)
     assert_is_soup(&reading->scene->meshes[0]);
     reading_free(reading);
     drop(&different);
+}
+
+/* Places whose hashes are all small: a table would be searched place by place. */
+TEST(hashes_that_were_made_to_collide_are_given_up)
+{
+    enum { ALIKE = 3000, SHARE = 64 };
+    static zr_vec4 alike[ALIKE];
+    uint32_t found = 0;
+    for (uint32_t i = 0; found < ALIKE; i++) {
+        const zr_vec4 place = {(float)i, 1, 2, 1};
+        uint32_t words[3];
+        memcpy(words, &place, sizeof words);
+        if (zr_stl_hash(words) < UINT32_MAX / SHARE) alike[found++] = place;
+    }
+    for (uint32_t i = 0; i < 3 * FACES; i++)
+        soup[i] = alike[i * 7 % ALIKE];
+    struct text text = text_of_soup(FACES);
+    struct reading *reading = read_by_all(ZR_FORMAT_STL, &text);
+    assert_read(reading);
+    assert_int_equal(reading->scene->meshes[0].position_count, 3 * FACES);
+    assert_is_soup(&reading->scene->meshes[0]);
+    reading_free(reading);
+    drop(&text);
 }
 
 TEST(files_with_faults_are_read_as_before)

@@ -1,6 +1,7 @@
 /* The stages of geometry/: clip, viewport, normals, light, and the floor as a whole. */
 #include <math.h>
 
+#include "base/run.h"
 #include "geometry/build.h"
 #include "geometry/clip.h"
 #include "geometry/face.h"
@@ -184,6 +185,39 @@ TEST(geometry_survives_points_at_infinity_and_the_zero_vertex)
     struct zr_counts c = counts_of(p, 4, true);
     assert_int_equal(c.polygons, 4);
     assert_int_equal(c.outside + c.clipped + c.culled + c.zero_area + c.drawn_whole, c.triangles);
+}
+
+/* Returns the number of vertices that clipping made. */
+static uint32_t build(const zr_vec4 *positions, bool has_line, struct zr_arena *arena, struct zr_geometry *geometry)
+{
+    static const uint32_t line[2] = {0, 1};
+    static struct test_scene test;
+    const struct zr_window window = {64, 64, 1, 1.0f};
+    const struct zr_camera camera = {.world_to_eye = zr_mat4_identity(), .projection = zr_mat4_identity()};
+    scene_of_triangles(&test, 64, 64, positions, 1);
+    test.mesh.lines = line;
+    test.mesh.line_count = has_line;
+    assert_int_equal(
+        zr_geometry_build(&(struct zr_run){.arena = arena}, &test.scene, &camera, &window, false, geometry), ZR_OK);
+    return geometry->vertex_count - 3;
+}
+
+TEST(only_lines_and_clipped_vertices_have_depths_of_their_own)
+{
+    const zr_vec4 whole[3] = {{0, 0, 0.25f, 1}, {0.5f, 0, 0.5f, 1}, {0, 0.5f, 0, 1}},
+                  cut[3] = {{0, 0, 0.25f, 1}, {4, 0, 0.25f, 1}, {0, 4, 0.25f, 1}};
+    struct zr_arena arena;
+    struct zr_geometry geometry;
+    zr_arena_init(&arena, 1 << 24);
+    assert_int_equal(build(whole, false, &arena, &geometry), 0);
+    assert_null(geometry.eyes);
+    assert_int_equal(build(whole, true, &arena, &geometry), 0);
+    assert_true(geometry.eyes[0].z == 0.25f && geometry.eyes[1].z == 0.5f && geometry.eyes[1].w == 1.0f);
+    const uint32_t made = build(cut, false, &arena, &geometry);
+    assert_true(made > 0);
+    for (uint32_t i = 3; i < 3 + made; i++)
+        assert_true(geometry.eyes[i].z == 0.25f && geometry.eyes[i].w == 1.0f);
+    zr_arena_free(&arena);
 }
 
 RUN_TESTS(NULL, NULL)
