@@ -3,8 +3,6 @@
 #include "base/mutant.h"
 #include "raster/depth.h"
 
-enum { HALF_PIXEL = ZR_SUBPIXELS / 2 };
-
 /* Rounds to an integer number of subpixels, ties to even; Mesa 22.3 rounded ties up. */
 static int32_t subpixels_of(float size)
 {
@@ -16,7 +14,8 @@ static int32_t subpixels_of(float size)
 int32_t zr_point_width(float size, float scale)
 {
     const int32_t subpixels = subpixels_of(size * scale);
-    const int32_t width = (subpixels + ZR_MUTANT(point_sizes_half_up, HALF_PIXEL - 1, HALF_PIXEL)) >> ZR_SUBPIXEL_BITS;
+    const int32_t width =
+        (subpixels + ZR_MUTANT(point_sizes_half_up, ZR_HALF_PIXEL - 1, ZR_HALF_PIXEL)) >> ZR_SUBPIXEL_BITS;
     return width > 1 ? width : 1;
 }
 
@@ -30,23 +29,6 @@ static const struct zr_window_vertex *middle_of(const struct zr_geometry *geomet
                                                 uint32_t number)
 {
     return &geometry->vertices[draw->first_vertex + zr_draw_corner(draw, number - draw->first, 0)];
-}
-
-/* Returns the first of `width` pixels. For an odd width, the middle pixel contains the point; for an even one, the two
- * middle pixels meet at the nearest pixel corner. Snapped coordinates are relative to a pixel's centre (viewport.h). */
-static int32_t first_of(int32_t snapped, int32_t width)
-{
-    const int32_t from_corner = snapped + HALF_PIXEL;
-    if (width % 2 != 0) return (from_corner >> ZR_SUBPIXEL_BITS) - width / 2;
-    return ((from_corner + ZR_MUTANT(even_points_lean, HALF_PIXEL, 0)) >> ZR_SUBPIXEL_BITS) - width / 2;
-}
-
-void zr_point_box_at(const struct zr_window_vertex *middle, int32_t width, int32_t box[4])
-{
-    box[0] = first_of(zr_snapped_x(middle), width);
-    box[1] = first_of(zr_snapped_y(middle), width);
-    box[2] = box[0] + width - 1;
-    box[3] = box[1] + width - 1;
 }
 
 void zr_point_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number, int32_t box[4])
