@@ -69,9 +69,9 @@ struct zr_eye {
 struct zr_geometry {
     struct zr_window window;
     uint32_t vertex_count, primitive_count, shape_count, edge_count, draw_count, cut_count;
-    struct zr_window_vertex *vertices; /* by instance: the positions of its mesh, then vertices created by clipping */
+    struct zr_window_vertex *vertices; /* by instance: its `vertex_count`, then those created by clipping */
     struct zr_eye *eyes; /* one per vertex; defined for lines, points and vertices created by clipping only; NULL: there
-                            * are none of these */
+                            are none of these */
     struct zr_draw *draws; /* ascending numbers; draws[0] always exists, empty if there are no draws */
     struct zr_shape *shapes;
     struct zr_grid_edge *edges;
