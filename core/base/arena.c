@@ -285,10 +285,10 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_
 void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new_count, size_t size)
 {
     const size_t taken = rounded_up(count * size, ZR_ARENA_ALIGN), kept = rounded_up(new_count * size, ZR_ARENA_ALIGN);
-    struct zr_arena_block *block = arena->first;
+    struct zr_arena_block *block = array ? arena->first : NULL;
     while (block && (char *)array + taken + GAP != block_bytes(block) + block->used)
         block = block->next;
-    if (!block || !array) return;
+    if (!block) return;
     ZR_FORBID((char *)array + new_count * size, taken + GAP - new_count * size);
     block->used -= taken - kept;
     arena->used -= taken - kept;

@@ -57,9 +57,8 @@ struct own {
     uint32_t count, corners[AT_ONCE];
 };
 
-static void list(const struct welding *w, size_t begin, uint32_t part, struct own *own)
+static void list(const struct welding *w, const struct table *table, size_t begin, uint32_t part, struct own *own)
 {
-    const struct table *table = &w->tables[part];
     const size_t end = w->corners - begin < AT_ONCE ? w->corners : begin + AT_ONCE;
     uint32_t count = 0;
     for (size_t i = begin; i < end; i++) {
@@ -121,19 +120,21 @@ static bool goes_on(struct welding *w, const struct table *table, size_t at)
     return !zr_is_cancelled(w->cancel) && !atomic_load_explicit(&w->is_given_up, memory_order_relaxed);
 }
 
+/* Counts in a table of its own, as those of other threads are in the same line of the caches. */
 static void weld_part(void *context, size_t begin, size_t end)
 {
     struct welding *w = context;
-    for (uint32_t part = (uint32_t)begin; part < end; part++) {
+    for (size_t part = begin; part < end; part++) {
         struct own own[2];
-        struct table *table = &w->tables[part];
-        if (!clear_table(w, table)) return;
-        list(w, 0, part, &own[0]);
-        for (size_t at = 0, which = 0; at < w->corners && goes_on(w, table, at); at += AT_ONCE, which ^= 1) {
-            if (w->corners - at > AT_ONCE) list(w, at + AT_ONCE, part, &own[which ^ 1]);
-            find_firsts(w, table, &own[which]);
+        struct table table = w->tables[part];
+        if (!clear_table(w, &table)) return;
+        list(w, &table, 0, (uint32_t)part, &own[0]);
+        for (size_t at = 0, which = 0; at < w->corners && goes_on(w, &table, at); at += AT_ONCE, which ^= 1) {
+            if (w->corners - at > AT_ONCE) list(w, &table, at + AT_ONCE, (uint32_t)part, &own[which ^ 1]);
+            find_firsts(w, &table, &own[which]);
         }
-        goes_on(w, table, 1); /* the last block */
+        goes_on(w, &table, 1); /* the last block */
+        w->tables[part].count = table.count;
     }
 }
 

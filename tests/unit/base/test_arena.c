@@ -147,6 +147,28 @@ TEST(arena_newest_allocation_grows_in_place_and_others_are_copied)
     zr_arena_free(&arena);
 }
 
+TEST(arena_newest_allocations_of_all_blocks_can_be_trimmed)
+{
+    enum { LARGE = 3 * ZR_ARENA_BLOCK / 2, GAP = ZR_ASAN ? ZR_ARENA_ALIGN : 0 };
+    struct zr_arena arena;
+    zr_arena_init(&arena, 8 * ZR_ARENA_BLOCK);
+    char *first = zr_arena_alloc(&arena, LARGE, 1), *second = zr_arena_alloc(&arena, LARGE, 1);
+    assert_non_null(second);
+    const size_t held = arena.held;
+    zr_arena_trim(&arena, first, LARGE, 1000, 1);
+    assert_int_equal(arena.used, LARGE + 1024);
+    assert_int_equal(arena.held, held); /* behind what is left, until it is taken */
+    zr_arena_trim(&arena, second, LARGE, 0, 1);
+    assert_int_equal(arena.used, 1024);
+    assert_int_equal(arena.held, held - LARGE);
+    zr_arena_trim(&arena, NULL, 1000, 0, 1);
+    assert_int_equal(arena.used, 1024);
+    assert_ptr_equal(zr_arena_alloc(&arena, LARGE, 1), second + GAP);
+    assert_ptr_equal(zr_arena_alloc(&arena, ZR_ARENA_BLOCK, 1), first + 1024 + GAP);
+    assert_true(arena.held <= held + 1024);
+    zr_arena_free(&arena);
+}
+
 TEST(arena_charge_counts_until_it_is_refunded)
 {
     struct zr_arena arena;
