@@ -292,7 +292,8 @@ static void add_lens(const struct zr_view *view, struct zr_cost *cost)
 {
     const double pixels = (double)view->width * (double)view->height;
     cost->counts[ZR_COST_LENS_PIXEL] += pixels;
-    cost->window_bytes += pixels * (zr_cost_channel_bytes(view) + (double)sizeof(struct zr_remap_place));
+    cost->window_bytes +=
+        pixels * (sizeof(uint32_t) * zr_cost_channel_words(view) + (double)sizeof(struct zr_remap_place));
 }
 
 /* Geometry and fragments are those of `drawn`, with the view `resolved`; outputs are those of `scene`. With a lens,

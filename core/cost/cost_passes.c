@@ -27,6 +27,14 @@ static uint32_t count_lamp_maps(const struct zr_scene *scene, const struct zr_re
     return count;
 }
 
+double zr_cost_channel_words(const struct zr_view *view)
+{
+    double words = 0.0;
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
+        if (zr_view_needs(view, (enum zr_channel)c)) words += (double)zr_channel_rows[c].words;
+    return words;
+}
+
 struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
 {
     const struct zr_picture *picture = scene->picture;
@@ -34,8 +42,13 @@ struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const stru
     /* Passes of the masks, of the target of a flow, and of a trace. */
     const double more = (double)zr_view_has_masks(view) + (double)zr_view_wants(view, ZR_CHANNEL_FLOW) +
                         (double)zr_view_wants(view, ZR_CHANNEL_TRACE);
-    struct zr_cost_passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0 + more, .side = 1.0};
-    if (!zr_view_has_pixels(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
+    struct zr_cost_passes passes = {.centres = scene->is_undrawn ? 0.0 : 1.0 + more,
+                                    .side = 1.0,
+                                    .has_colors = zr_view_has_pixels(view, ZR_CHANNEL_COLOR),
+                                    .has_masks = zr_view_has_masks(view),
+                                    .has_flow = zr_view_wants(view, ZR_CHANNEL_FLOW),
+                                    .channel_words = zr_cost_channel_words(view)};
+    if (!passes.has_colors || !zr_picture_has_own_passes(picture)) return passes;
     passes.samples = 1.0;
     passes.side = (double)picture->side;
     passes.centres = wants_channels(view) + more;

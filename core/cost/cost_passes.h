@@ -17,8 +17,13 @@ struct zr_cost_passes {
     double maps, map_texels; /* shadow maps, that of the ground included, and their texels */
     uint32_t lamp_maps;      /* shadow maps of lights */
     bool makes_normals;      /* averages normals over faces */
+    bool has_colors, has_masks, has_flow;
+    double channel_words; /* per pixel, of all channels */
 };
 struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved);
+
+/* Returns words per pixel of the channels of a view. */
+double zr_cost_channel_words(const struct zr_view *view);
 
 /* True if surfaces are lit once in a pixel (effects/surfaces.h, render/layers/layer_surfaces.h). */
 bool zr_cost_lights_surfaces(const struct zr_scene *scene);

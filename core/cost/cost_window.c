@@ -7,7 +7,6 @@
 #include "render/backdrop.h"
 #include "render/layers/layer_surfaces.h"
 #include "render/layers/layers.h"
-#include "scene/output.h"
 #include "shade/lights/shadow_map.h"
 #include "shade/texture_maps.h"
 
@@ -23,14 +22,6 @@ enum {
     EDGE_BYTES = 7196,
     CELL_BYTES = 8
 };
-
-double zr_cost_channel_bytes(const struct zr_view *view)
-{
-    double words = 0.0;
-    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
-        if (zr_view_needs(view, (enum zr_channel)c)) words += (double)zr_channel_rows[c].words;
-    return WORD_BYTES * words;
-}
 
 /* True if opaque surfaces may hide layers; hidden layers take no memory, and neither do those that are cut away. */
 static bool may_hide_layers(const struct zr_scene *scene)
@@ -61,7 +52,6 @@ double zr_cost_lamp_map_bytes(uint32_t maps)
 /* Bytes of the masks of instances: three bits per pixel. Each has at least a tenth of its instance's fragments. */
 static double bytes_of_masks(const struct zr_scene *scene, double pixels, double fragments)
 {
-    if (!zr_view_has_masks(&scene->views[0])) return 0.0;
     return 3.0 / 8.0 * fmin(0.1 * fragments, pixels * (double)scene->instance_count);
 }
 
@@ -97,12 +87,12 @@ double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_p
     const bool is_lit = passes->samples > 0.0 && picture->is_linear;
     if (scene->is_undrawn) return 0.0;
     double sum = bytes_of_layers(scene, samples, kept), lines = 0.0;
-    if (zr_view_has_pixels(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
+    if (passes->has_colors) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* these keep a z-buffer of the whole window */
         sum += SAMPLE_BYTES * (passes->samples > 0.0 ? samples : pixels);
     if (is_lit) sum += bytes_of_light(scene, passes, pixels, samples);
     if (is_lit && zr_cost_draws_lines(picture)) lines = pixels * WORD_BYTES + bytes_of_cells(view, pixels, fragments);
-    const double flow = zr_view_wants(view, ZR_CHANNEL_FLOW) ? pixels * WORD_BYTES : 0.0;
-    return pixels * zr_cost_channel_bytes(view) + bytes_of_masks(scene, pixels, fragments) +
-           fmax(fmax(sum, lines), flow);
+    const double flow = passes->has_flow ? pixels * WORD_BYTES : 0.0;
+    const double masks = passes->has_masks ? bytes_of_masks(scene, pixels, fragments) : 0.0;
+    return pixels * passes->channel_words * WORD_BYTES + masks + fmax(fmax(sum, lines), flow);
 }

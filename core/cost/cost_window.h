@@ -11,9 +11,6 @@
 double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes, double kept,
                             double fragments);
 
-/* Bytes per pixel of the channels of a view. */
-double zr_cost_channel_bytes(const struct zr_view *view);
-
 /* Bytes of shadow maps of lights. */
 double zr_cost_lamp_map_bytes(uint32_t maps);
 

@@ -17,7 +17,7 @@
 /* ---- transforms from object to clip and eye space in double, one set per instance ----
  *
  * Why:    window vertices are rounded to float, clipped ones more than once. A value that must be correct to the last
- *         bits of a float (shade/eye_depth.h) is computed again from the mesh triangle (zr_source_of) that contains the
+ *         bits of a float (shade/eye/eye_depth.h) is computed again from the mesh triangle (zr_source_of) that contains the
  *         primitive. */
 
 /* Results of the transform: x, y, w of clip space, -z and w of eye space. */

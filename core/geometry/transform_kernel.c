@@ -1,6 +1,6 @@
 #include "geometry/transform.h"
 
-#include "base/mat4_simd.h"
+#include "geometry/mat4_simd.h"
 #include "base/mutant.h"
 #include "base/prefetch.h"
 #include "base/simd/simd.h"

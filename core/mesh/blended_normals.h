@@ -7,7 +7,7 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
-#include "mesh/crease_normals.h"
+#include "mesh/corner_normals.h"
 #include "scene/scene.h"
 
 /* Return the normals of positions, and of corners, from those of mesh->source->mesh; 0 in caps and at ends of lines,

@@ -56,3 +56,11 @@ struct zr_limits zr_limits_default(void)
         .unpacked_bytes_max = (uint64_t)8 * 1024 * 1024 * 1024,
     };
 }
+
+bool zr_outputs_are_pictures(const struct zr_scene *scene)
+{
+    const struct zr_view *view = &scene->views[0];
+    for (uint32_t i = 0; i < view->output_count; i++)
+        if (view->outputs[i].channel != ZR_CHANNEL_COLOR) return false;
+    return true;
+}

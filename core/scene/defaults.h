@@ -18,6 +18,9 @@ void zr_scene_defaults(struct zr_scene *scene);
 /* Replaces the default output color by info if nothing is drawn. Called once all keys are read. */
 void zr_default_output_use(struct zr_scene *scene);
 
+/* True if the outputs of the first view are pictures: the channel color, or none given. */
+bool zr_outputs_are_pictures(const struct zr_scene *scene);
+
 /* Returns the ambient light of a scene that gives `lights` but no `ambient`. */
 zr_vec3 zr_default_ambient_of_own_lights(void);
 

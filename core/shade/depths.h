@@ -8,8 +8,8 @@
 
 #include "geometry/geometry.h"
 #include "raster/tile.h"
-#include "shade/eye_depth.h"
-#include "shade/eye_points.h"
+#include "shade/eye/eye_depth.h"
+#include "shade/eye/eye_points.h"
 
 /* Overwrites the tile's depths with depths in scene units; uncovered samples get INFINITY. Owners are unchanged.
  * `ends`: as in struct zr_paint. Width and height are the window's. Returns the greatest finite depth, or 0. */

@@ -1,4 +1,4 @@
-#include "base/mat4_simd.h"
+#include "geometry/mat4_simd.h"
 #include "shade/eye_values_simd.h"
 
 /* A vertex per lane: position, and the result of the matrix. */

@@ -13,7 +13,7 @@
 #include "geometry/geometry.h"
 #include "raster/tile.h"
 #include "shade/depths.h"
-#include "shade/eye_depth.h"
+#include "shade/eye/eye_depth.h"
 #include "shade/frame.h"
 
 /* Returns true if the frame has one of the channels. */

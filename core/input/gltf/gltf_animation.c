@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "base/slerp.h"
+#include "scene/parts/slerp.h"
 #include "input/text/number.h"
 #include "render_request.h"
 

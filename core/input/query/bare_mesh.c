@@ -9,7 +9,6 @@
 #include "render_request.h"
 #include "scene/camera/view_set.h"
 #include "scene/defaults.h"
-#include "scene/output.h"
 #include "scene/parsed_picture.h"
 #include "scene/picture.h"
 
@@ -216,15 +215,11 @@ bool zr_query_shares_places(const struct zr_query *query)
 {
     const struct zr_parsed_scene *root = &query->given;
     const struct zr_scene *scene = root->scene;
-    const struct zr_view *view = &scene->views[0];
-    bool is_color = true;
     if (!root->is_bare || !root->look || !root->look->picture->is_linear) return false;
-    for (uint32_t i = 0; i < view->output_count; i++)
-        is_color = is_color && view->outputs[i].channel == ZR_CHANNEL_COLOR;
     const bool is_all_around =
         zr_scene_gives(root, ZR_SCENE_CREASE_DEGREES) && root->picture->given.crease_degrees >= ALL_AROUND_DEGREES;
-    return is_color && !is_all_around && scene->sections.count == 0 && !zr_part_keys_are_given(&scene->parts) &&
-           !zr_axis_colors_are_given(scene);
+    return zr_outputs_are_pictures(scene) && !is_all_around && scene->sections.count == 0 &&
+           !zr_part_keys_are_given(&scene->parts) && !zr_axis_colors_are_given(scene);
 }
 
 enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error)

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "base/slerp.h"
+#include "scene/parts/slerp.h"
 #include "base/trig.h"
 
 /* ---- keys ---- */

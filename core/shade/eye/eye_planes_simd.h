@@ -9,7 +9,7 @@
 #include "base/inlined.h"
 #include "base/simd/fours_simd.h"
 #include "base/simd/simd.h"
-#include "shade/eye_depth.h"
+#include "shade/eye/eye_depth.h"
 
 /* ---- many triangles ---- */
 

@@ -9,7 +9,7 @@
 
 #include "base/isa.h"
 #include "base/matrix.h"
-#include "shade/eye_depth.h"
+#include "shade/eye/eye_depth.h"
 
 /* Corner shares of a triangle, as given by its mesh. All zeros but `one`: a primitive without shares. */
 struct zr_eye_shares {

@@ -1,4 +1,4 @@
-/* mat4_simd.h - base: a matrix with each entry in all lanes, for kernels. */
+/* mat4_simd.h - geometry: a matrix with each entry in all lanes, for kernels. */
 #ifndef ZR_MAT4_SIMD_H
 #define ZR_MAT4_SIMD_H
 

@@ -1,4 +1,4 @@
-/* slerp.h - base: interpolates between two rotations. */
+/* slerp.h - scene: interpolates between two rotations. */
 #ifndef ZR_SLERP_H
 #define ZR_SLERP_H
 

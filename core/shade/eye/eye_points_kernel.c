@@ -1,7 +1,7 @@
-#include "shade/eye_points.h"
+#include "shade/eye/eye_points.h"
 
 #include "base/inlined.h"
-#include "shade/eye_planes_simd.h"
+#include "shade/eye/eye_planes_simd.h"
 
 /* ---- many triangles ---- */
 

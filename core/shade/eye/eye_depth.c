@@ -1,4 +1,4 @@
-#include "shade/eye_depth.h"
+#include "shade/eye/eye_depth.h"
 
 /* ---- depths of corners ---- */
 

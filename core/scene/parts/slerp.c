@@ -1,4 +1,4 @@
-#include "base/slerp.h"
+#include "scene/parts/slerp.h"
 
 #include <math.h>
 #include <string.h>

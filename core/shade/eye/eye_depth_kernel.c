@@ -1,8 +1,8 @@
-#include "shade/eye_depth.h"
+#include "shade/eye/eye_depth.h"
 
 #include <math.h>
 
-#include "shade/eye_planes_simd.h"
+#include "shade/eye/eye_planes_simd.h"
 
 /* ---- many triangles ---- */
 
