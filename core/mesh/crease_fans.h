@@ -23,8 +23,8 @@ struct zr_corner_mesh {
     zr_vec4 *corners;
 };
 
-/* Replaces the corners of bent vertices by corner normals, and marks them (zr_crease_mark_equal). Returns the sum of its
- * results. Takes 4 bytes per vertex, and 48 per edge that bends by more than the crease angle, of scratch from the
+/* Replaces the corners of bent vertices by corner normals, and marks them (zr_crease_mark_equal). Returns the sum of
+ * its results. Takes 4 bytes per vertex, and 48 per edge that bends by more than the crease angle, of scratch from the
  * arena. If the arena fails or the run is cancelled, they are undefined. */
 size_t zr_crease_fans_apply(const struct zr_run *run, const struct zr_corner_mesh *mesh);
 

@@ -31,8 +31,8 @@ const struct zr_json_field *zr_parameter_field(const char *pointer);
 enum zr_status zr_query_read(const struct zr_request *request, const struct zr_limits *limits,
                              struct zr_scene_builder *builder, struct zr_query *query, struct zr_error *error);
 
-/* True if equal positions of a bare mesh may be stored once: its outputs are colours in linear light only, which average
- * normals by place. Other outputs, sections and keys of parts depend on which faces share a position. */
+/* True if equal positions of a bare mesh may be stored once: its outputs are colours in linear light only, which
+ * average normals by place. Other outputs, sections and keys of parts depend on which faces share a position. */
 bool zr_query_shares_places(const struct zr_query *query);
 
 /* Applies the query once the body is read: its keys override those of a JSON scene, or make a scene of a bare mesh.

@@ -1,5 +1,6 @@
-/* Reads STL, binary and ASCII. Each facet has its own vertices, unless the builder shares places. Normals are ignored, since exporters often write zeros
- * or wrong ones. Source: 3D Systems, StereoLithography Interface Specification, 1989. */
+/* Reads STL, binary and ASCII. Each facet has its own vertices, unless the builder shares places. Normals are ignored,
+ * since exporters often write zeros or wrong ones. Source: 3D Systems, StereoLithography Interface Specification,
+ * 1989. */
 #include "input/formats/input.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Binary STL whose vertices are in common: one position each, if the outputs are the same as with three per triangle. */
+/* Binary STL whose vertices are in common: one position each, where outputs are the same as with three per triangle. */
 #include "unit/common/by_teams.h"
 
 #include "input/stl/stl_weld.h"
