@@ -153,6 +153,7 @@ for part in "$@"; do
         run documents tests/clients/test_documents.sh "$build"
         run facts tests/clients/test_facts.sh "$build"
         run encodings tests/clients/test_encodings.sh "$build"
+        run large tests/clients/test_large.sh "$build"
         run wrong-lines tests/clients/test_wrong_lines.sh "$build"
         run array tests/batches/test_array.sh "$build"
         run manifests "${PYTHON:-/usr/bin/python3}" tests/python/run.py "$build" tests/batches/test_manifests.py

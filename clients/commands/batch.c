@@ -84,7 +84,7 @@ static void report(struct batch *batch, const struct job *job)
 /* Reports the faults of a job. A job with options of its own is named with its line. */
 static void report_job(const struct batch *batch, const struct job *job)
 {
-    struct bytes name = {NULL, 0, 0};
+    struct bytes name = {.data = NULL};
     bytes_print(&name, "%s", job->target.file);
     if (job->options != batch->options) bytes_print(&name, " (line %zu)", job->line);
     report_faults(stderr, bytes_text(&name), &job->faults);

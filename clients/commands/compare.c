@@ -16,7 +16,7 @@ struct difference {
 
 static bool read_picture(const char *path, struct pixels *pixels)
 {
-    struct bytes bytes = {NULL, 0, 0}, faults = {NULL, 0, 0};
+    struct bytes bytes = {.data = NULL}, faults = {.data = NULL};
     bool ok = bytes_read(&bytes, path);
     if (!ok)
         bytes_explain(&faults);
@@ -72,7 +72,7 @@ static void widen(struct pixels *pixels)
 static int save(const struct options *options, const struct pixels *size, const uint8_t *rgb)
 {
     const char *out = options->own[OPTION_OUTPUT];
-    struct bytes png = {NULL, 0, 0}, names = {NULL, 0, 0}, faults = {NULL, 0, 0};
+    struct bytes png = {.data = NULL}, names = {.data = NULL}, faults = {.data = NULL};
     struct target target = output_target(options->files[0], out);
     int status = output_check(&target, false, &faults);
     if (status == 0 && !target.out) target.stem = "difference";
@@ -95,7 +95,7 @@ static int compare_pictures(const struct options *options, struct pixels *a, str
     const char *const *names = options->files;
     if (a->width != b->width || a->height != b->height) {
         const char *out = options->own[OPTION_OUTPUT];
-        struct bytes line = {NULL, 0, 0};
+        struct bytes line = {.data = NULL};
         bytes_print(&line, "%s is %ux%u, %s is %ux%u: compare pictures of one size%s%s%s", names[0], a->width,
                     a->height, names[1], b->width, b->height, out ? "; -o " : "", out ? out : "",
                     out ? " is not written" : "");

@@ -207,7 +207,7 @@ static void hand_over(struct serving *serving, struct bytes *text)
         return;
     }
     *line = (struct line){NULL, *text};
-    *text = (struct bytes){NULL, 0, 0};
+    *text = (struct bytes){.data = NULL};
     pthread_mutex_lock(&serving->lock);
     while (serving->waiting == WAITING_MAX)
         pthread_cond_wait(&serving->changed, &serving->lock);
@@ -225,7 +225,7 @@ static void add(struct bytes *line, const char *bytes, size_t size, bool *is_too
     if (size <= LINE_MAX_BYTES - line->size && bytes_add(line, bytes, size)) return;
     *is_too_long = true;
     bytes_free(line);
-    *line = (struct bytes){NULL, 0, 0};
+    *line = (struct bytes){.data = NULL};
     bytes_add(line, "]", 1);
 }
 
@@ -239,7 +239,7 @@ static bool is_blank(const struct bytes *line)
 static void read_lines(struct serving *serving)
 {
     static char block[64 << 10];
-    struct bytes line = {NULL, 0, 0};
+    struct bytes line = {.data = NULL};
     bool is_too_long = false;
     ssize_t count;
     while (!interrupted() && (count = read(STDIN_FILENO, block, sizeof block)) > 0) {
@@ -248,7 +248,7 @@ static void read_lines(struct serving *serving)
             add(&line, at, (size_t)(stop - at), &is_too_long);
             if (!is_blank(&line)) hand_over(serving, &line);
             bytes_free(&line);
-            line = (struct bytes){NULL, 0, 0};
+            line = (struct bytes){.data = NULL};
             is_too_long = false;
             at = stop + 1;
         }

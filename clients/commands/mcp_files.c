@@ -179,9 +179,9 @@ static bool find_model(const char *root, const char *given, char path[PATH_MAX],
 bool mcp_files_read(struct input *input, const char *root, const struct mcp_draw *draw, struct mcp_faults *faults)
 {
     char path[PATH_MAX];
-    struct bytes lines = {NULL, 0, 0};
+    struct bytes lines = {.data = NULL};
     *input = (struct input){.type = "application/json", .is_known = true, .is_scene = true};
-    input->body = (struct bytes){(char *)(uintptr_t)draw->scene, draw->scene_size, 0};
+    input->body = (struct bytes){.data = (char *)(uintptr_t)draw->scene, .size = draw->scene_size};
     if (draw->path) {
         if (!find_model(root, draw->path, path, faults)) return false;
     } else if (snprintf(path, PATH_MAX, "%s/scene.json", strcmp(root, "/") ? root : "") >= PATH_MAX) {
@@ -190,7 +190,7 @@ bool mcp_files_read(struct input *input, const char *root, const struct mcp_draw
     input->path = path;
     if (draw->file) {
         input->parts[0].name = strdup(draw->file_name);
-        input->parts[0].bytes = (struct bytes){(char *)(uintptr_t)draw->file, draw->file_size, 0};
+        input->parts[0].bytes = (struct bytes){.data = (char *)(uintptr_t)draw->file, .size = draw->file_size};
         input->part_count = 1;
         if (!input->parts[0].name) return false;
     }
@@ -203,7 +203,7 @@ bool mcp_files_read(struct input *input, const char *root, const struct mcp_draw
 
 void mcp_files_free(struct input *input, const struct mcp_draw *draw)
 {
-    input->body = (struct bytes){NULL, 0, 0}; /* the scene and the model are the handler's */
-    if (draw->file && input->part_count > 0) input->parts[0].bytes = (struct bytes){NULL, 0, 0};
+    input->body = (struct bytes){.data = NULL}; /* the scene and the model are the handler's */
+    if (draw->file && input->part_count > 0) input->parts[0].bytes = (struct bytes){.data = NULL};
     input_free(input);
 }

@@ -95,7 +95,7 @@ static void write_kitty(struct bytes *out, const char *text, size_t length)
 
 static bool show(const struct zraster_bytes *file, struct bytes *faults)
 {
-    struct bytes out = {NULL, 0, 0};
+    struct bytes out = {.data = NULL};
     struct pixels pixels;
     size_t length;
     if (strcmp(file->type, "image/png") != 0) {

@@ -90,7 +90,7 @@ static void add_neighbours(struct watch *watch)
 {
     const struct options *options = watch->options;
     struct input input;
-    struct bytes faults = {NULL, 0, 0};
+    struct bytes faults = {.data = NULL};
     if (input_read(&input, options->files[0], options, &faults))
         neighbours_read(&input, options->own[OPTION_ROOT], &faults);
     char folder[PATH_MAX];

@@ -35,7 +35,7 @@ static void move(struct bytes *out, struct bytes *from)
 {
     bytes_free(out);
     *out = *from;
-    *from = (struct bytes){NULL, 0, 0};
+    *from = (struct bytes){.data = NULL};
 }
 
 void job_draw(const struct engine *engine, struct job *job, struct answer *answer)

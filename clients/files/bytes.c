@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +14,7 @@
 
 #include "engine/interruption.h"
 
-enum { HUGE_PAGE = 2 << 20 };
+enum { HUGE_PAGE = 2 << 20, LARGE_FILE = 64 << 20 };
 
 /* Reserves huge pages for a large file: the system clears them faster than small ones. */
 static bool reserve_huge(struct bytes *bytes, size_t size)
@@ -22,7 +23,7 @@ static bool reserve_huge(struct bytes *bytes, size_t size)
     const size_t room = (size + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE;
     if (posix_memalign(&data, HUGE_PAGE, room) != 0) return false;
     madvise(data, room, MADV_HUGEPAGE);
-    *bytes = (struct bytes){data, 0, room};
+    *bytes = (struct bytes){.data = data, .room = room};
     return true;
 }
 
@@ -68,8 +69,11 @@ const char *bytes_text(const struct bytes *bytes)
 
 void bytes_free(struct bytes *bytes)
 {
-    free(bytes->data);
-    *bytes = (struct bytes){NULL, 0, 0};
+    if (bytes->is_mapped)
+        munmap(bytes->data, bytes->room);
+    else
+        free(bytes->data);
+    *bytes = (struct bytes){.data = NULL};
 }
 
 static unsigned long long most_bytes = 1ULL << 33;
@@ -127,6 +131,30 @@ static bool read_all(int descriptor, bool is_file, struct bytes *bytes)
     }
 }
 
+/* ---- mapped files ---- */
+
+static void say_that_it_shrank(int signal)
+{
+    static const char text[] = "zraster: a file became shorter while it was read\n";
+    (void)signal;
+    if (write(STDERR_FILENO, text, sizeof text - 1) < 0) _exit(1);
+    _exit(1);
+}
+
+/* Maps a file so large that a copy would cost more than the faults of its pages. A zero follows it, in the rest of its
+ * last page. Returns false if it is to be read instead. */
+static bool map(int descriptor, size_t size, struct bytes *bytes)
+{
+    const struct sigaction action = {.sa_handler = say_that_it_shrank};
+    const long page = sysconf(_SC_PAGESIZE);
+    if (size < LARGE_FILE || page <= 0 || size % (size_t)page == 0) return false;
+    void *data = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE, descriptor, 0);
+    if (data == MAP_FAILED) return false;
+    sigaction(SIGBUS, &action, NULL);
+    *bytes = (struct bytes){.data = data, .size = size, .room = size, .is_mapped = true};
+    return true;
+}
+
 bool bytes_read(struct bytes *bytes, const char *path)
 {
     struct stat status;
@@ -139,9 +167,10 @@ bool bytes_read(struct bytes *bytes, const char *path)
         errno = EFBIG;
         ok = false;
     }
-    ok = ok && reserve(bytes, is_file ? (size_t)status.st_size + 1 : 1) && read_all(descriptor, is_file, bytes) &&
-         reserve(bytes, 1);
-    if (ok) bytes->data[bytes->size] = '\0'; /* ends the text */
+    const bool is_mapped = ok && is_file && bytes->size == 0 && map(descriptor, (size_t)status.st_size, bytes);
+    ok = is_mapped || (ok && reserve(bytes, is_file ? (size_t)status.st_size + 1 : 1) &&
+                       read_all(descriptor, is_file, bytes) && reserve(bytes, 1));
+    if (ok && !is_mapped) bytes->data[bytes->size] = '\0'; /* ends the text */
     const int why = errno;
     if (!is_pipe) close(descriptor);
     errno = why;

@@ -8,6 +8,7 @@
 struct bytes {
     char *data; /* NULL while empty */
     size_t size, room;
+    bool is_mapped; /* a file in memory, which nothing is added to */
 };
 
 bool bytes_add(struct bytes *bytes, const void *data, size_t size);
@@ -23,7 +24,8 @@ void bytes_set_most(unsigned long long most);
 
 /* Reads a file; "-": standard input. A zero follows the bytes. Waits for a pipe until it ends or a signal is caught
  * (engine/interruption.h). Returns false with errno on failure: EINTR after a signal, EFBIG for too many bytes, ENODEV
- * for a device that is no terminal. */
+ * for a device that is no terminal. Large files are mapped, not copied: if one shrinks meanwhile, the process ends with
+ * status 1 and says so. */
 bool bytes_read(struct bytes *bytes, const char *path);
 
 /* Adds the reason why bytes_read failed, by errno. */

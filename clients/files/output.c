@@ -110,7 +110,7 @@ bool output_is_name(const char *name)
 /* Returns true if the only input is a scene with outputs of its own. */
 static bool has_outputs(const struct options *options)
 {
-    struct bytes body = {NULL, 0, 0};
+    struct bytes body = {.data = NULL};
     struct stat about; /* a pipe can be read only once */
     const char *path = options->file_count == 1 ? options->files[0] : "-", key[] = "\"outputs\"";
     const bool is_file = strcasecmp(ending_of(path), "json") == 0 && stat(path, &about) == 0 && S_ISREG(about.st_mode);

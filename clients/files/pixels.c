@@ -122,6 +122,6 @@ bool pixels_write(struct bytes *bytes, uint32_t width, uint32_t height, const ui
         free(data);
         return false;
     }
-    *bytes = (struct bytes){data, size, size};
+    *bytes = (struct bytes){.data = data, .size = size, .room = size};
     return true;
 }

@@ -42,7 +42,7 @@ static void print_settings(struct bytes *text, const struct options *options)
 /* Writes the settings, unless the file has them. */
 static int write_settings(const char *path, const struct options *options)
 {
-    struct bytes before = {NULL, 0, 0}, now = {NULL, 0, 0};
+    struct bytes before = {.data = NULL}, now = {.data = NULL};
     const bool had_some = bytes_read(&before, path);
     print_settings(&now, options);
     const bool are_same = had_some && strcmp(bytes_text(&before), bytes_text(&now)) == 0;
@@ -134,7 +134,7 @@ static bool has_outputs(const struct wanted *wanted, const cJSON *scene)
 static bool has_file(const struct wanted *wanted, bool is_scene)
 {
     static const char space[] = " \t\r\n";
-    struct bytes body = {NULL, 0, 0};
+    struct bytes body = {.data = NULL};
     struct stat about; /* a pipe can be read only once */
     bool has_all =
         stat(wanted->target->file, &about) == 0 && S_ISREG(about.st_mode) && bytes_read(&body, wanted->target->file);

@@ -15,7 +15,7 @@ static void add_escaped(struct bytes *query, const char *text)
 
 char *query_make(const struct options *options, bool is_scene)
 {
-    struct bytes query = {NULL, 0, 0};
+    struct bytes query = {.data = NULL};
     bytes_print(&query, "%s", "");
     for (size_t i = 0; i < PARAMETER_COUNT; i++) {
         const char *text = options->parameters[i];

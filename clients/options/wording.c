@@ -110,7 +110,7 @@ static void remove_repetition(struct bytes *lines, size_t before, size_t last)
 void wording_translate(struct bytes *faults, const struct input *input, const struct options *options)
 {
     const char *line = bytes_text(faults);
-    struct bytes out = {NULL, 0, 0};
+    struct bytes out = {.data = NULL};
     size_t before = 0;
     bool ok = faults->size > 0;
     for (size_t length; ok && *line; line += length + (line[length] == '\n')) {

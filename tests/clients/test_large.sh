@@ -1,0 +1,48 @@
+#!/bin/sh
+# test_large.sh BUILD: files so large that the command maps them, and --memory. Prints TAP.
+set -u
+build=$(realpath "$1")
+work=$(mktemp -d)
+. tests/support/verdict.sh
+said=$work/said complained=$work/complained
+trap 'rm -rf "$work"' EXIT
+zraster=$build/zraster
+
+# 1.4 million triangles in 70 MB, whose last page is not full; with a byte behind each, a page is full.
+/usr/bin/python3 - "$work" <<'END'
+import sys
+sys.path.insert(0, "tests/bench/rivals")
+from large_files import write_stl
+write_stl(sys.argv[1] + "/ball.stl", 1400000)
+END
+cd "$work" || exit 1
+size=$(wc -c <ball.stl)
+cp ball.stl full.stl
+head -c $(((4096 - size % 4096) % 4096)) /dev/zero >>full.stl
+
+verdict "the file has another size than whole pages" [ $((size % 4096)) != 0 ]
+check "a mapped file is drawn" 0 "$zraster" ball.stl -o mapped.png --size 160x120
+verdict "a piped one is, too" eval '"$zraster" - --type stl --size 160x120 <ball.stl >piped.png 2>"$complained"'
+verdict "with the same bytes" cmp mapped.png piped.png
+check "a file of whole pages is drawn" 0 "$zraster" full.stl -o full.png --size 160x120
+verdict "with the same bytes" cmp mapped.png full.png
+
+check "a picture beyond --memory ends with 1" 1 "$zraster" ball.stl -o none.png --memory 100M
+verdict "the message has the need and the limit" grep -q 'needs at least [0-9]* bytes, more than the 104857600 that a request may use' complained
+verdict "and the option" grep -q -e '--memory allows more, such as 90% of the [0-9.]* GB that the system can spare' complained
+verdict "no picture is left" [ ! -e none.png ]
+check "more memory draws it" 0 "$zraster" ball.stl -o more.png --memory 1.5GiB --size 160x120
+verdict "with the same bytes" cmp mapped.png more.png
+check "a share does, too" 0 "$zraster" ball.stl -o share.png --memory 80% --size 160x120
+check "address space has a limit" 1 sh -c 'ulimit -v 700000; exec "$0" "$@"' "$zraster" ball.stl -o none.png --memory 60% --size 2000
+verdict "which the default respects" grep -q -e '--memory allows more' complained
+
+if command -v script >/dev/null 2>&1; then
+    check "a terminal shows seconds" 0 script -qec "$zraster ball.stl -o shown.png --size 1600x1200 -j 1" typescript
+    verdict "of the file" grep -aq 'ball.stl: [0-9.]* s' said
+    check "and none with --plain" 0 script -qec "$zraster ball.stl -o shown.png --size 1600x1200 -j 1 --plain" typescript
+    verdict "so that lines stay whole" eval '! grep -aq "ball.stl: [0-9.]* s" said'
+else
+    skip "a terminal shows seconds" "script is missing"
+fi
+verdicts
