@@ -4,6 +4,7 @@
 
 #include "base/arena.h"
 #include "core.h"
+#include "cost_meshes.h"
 #include "cost_passes.h"
 #include "cost_sample.h"
 #include "cost_window.h"
@@ -40,7 +41,7 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         counts[ZR_COST_INSTANCE] += times;
         counts[ZR_COST_VERTEX] += times * (double)mesh->position_count;
         if (finds_boxes) counts[ZR_COST_VERTEX] += (double)mesh->position_count;
-        counts[ZR_COST_TRIANGLE] += times * (triangles + 2.0 * ((double)mesh->line_count + (double)mesh->point_count)) *
+        counts[ZR_COST_TRIANGLE] += times * (triangles + 2.0 * (double)mesh->line_count + 0.5 * (double)mesh->point_count) *
                                     TIMES[scene->algorithm].triangle;
         const enum zr_shading shading = scene->materials[mesh->material].shading;
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
@@ -314,6 +315,7 @@ static struct zr_cost cost_of(const struct zr_scene *scene, const struct zr_scen
     if (drawn != scene && !scene->is_undrawn) add_lens(&scene->views[0], &cost);
     for (int kind = 0; kind < ZR_COST_KINDS; kind++)
         cost.ms += 1e-6 * cost.counts[kind] * ROWS[kind].ns;
+    cost.mesh_bytes = zr_cost_mesh_bytes(drawn, &passes);
     cost.lamp_map_bytes = zr_cost_lamp_map_bytes(passes.lamp_maps);
     return cost;
 }

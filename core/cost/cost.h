@@ -83,6 +83,7 @@ struct zr_cost {
     double counts[ZR_COST_KINDS];
     double window_bytes;   /* lower bound of the bytes that rendering holds at once, in arrays of the window's size */
     double lamp_map_bytes; /* part of window_bytes for shadow maps of lights */
+    double mesh_bytes;     /* estimate of those in arrays of the sizes of meshes, without the scene */
     uint32_t lamp_maps;    /* number of these maps */
 };
 

@@ -35,6 +35,7 @@ static void add_cost(struct zr_cost *sum, const struct zr_cost *cost, double tim
     sum->ms += times * cost->ms;
     for (int i = 0; i < ZR_COST_KINDS; i++)
         sum->counts[i] += times * cost->counts[i];
+    sum->mesh_bytes = fmax(sum->mesh_bytes, cost->mesh_bytes);
     if (cost->window_bytes <= sum->window_bytes) return;
     sum->window_bytes = cost->window_bytes;
     sum->lamp_map_bytes = cost->lamp_map_bytes;

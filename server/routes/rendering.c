@@ -187,13 +187,14 @@ static enum zr_status look_at_stored(void *context, const char *sha256, size_t *
 
 /* ---- steps ---- */
 
-/* Checks the predicted memory of windows before drawing, so that a refusal takes no time. */
+/* Checks the predicted memory before drawing, so that a refusal takes no time. That of windows is a lower bound, and that
+ * of meshes within a factor of two. */
 static bool has_memory(const struct rendering *r)
 {
-    const struct zr_cost *cost = &r->cost;
+    const double least = fmax(r->cost.window_bytes, 0.5 * r->cost.mesh_bytes);
     struct zr_arena *arena = r->run.arena;
-    if (cost->window_bytes <= (double)zr_arena_left(arena)) return true;
-    return zr_arena_charge(arena, cost->window_bytes < 1e18 ? (size_t)cost->window_bytes + 1 : SIZE_MAX);
+    if (least <= (double)zr_arena_left(arena)) return true;
+    return zr_arena_charge(arena, least < 1e18 ? (size_t)least + 1 : SIZE_MAX);
 }
 
 /* Returns true if the answer may take more than a small one, by its bytes before compression. */

@@ -1,6 +1,6 @@
 /* costs - bench: compares predictions with measurements. Prints the predicted time (core/cost/cost.h) and the processor
- * time of one thread, and the lower bound of memory and the memory held. Draws each scene, and each bare mesh in some
- * looks and sizes. The last lines have the shares of times within factors of 2 and 3. `make bench-costs` runs it.
+ * time of one thread, and the predicted memory and the memory held. Draws each scene, and each bare mesh in some
+ * looks and sizes. The last lines have the shares of times and of memory within factors of 2 and 3. `make bench-costs` runs it.
  *
  *     build/tests/bench/alone/costs [--counts] FILE...
  *
@@ -21,10 +21,10 @@
 #include "support/files.h"
 
 enum { ROUNDS = 5 };
-static const double enough_ms = 60.0, least_ms = 1.0;
+static const double enough_ms = 60.0, least_ms = 1.0, least_bytes = 1e6;
 
 struct share {
-    const char *name;
+    const char *name, *words;
     int count, within_2, within_3;
     double under, over; /* the worst of taken / predicted, and of predicted / taken */
 };
@@ -43,7 +43,7 @@ static double fail(const struct zr_error *error)
 }
 
 /* Rendering and encoding; below 0: they failed. */
-static double measure(struct zr_arena *arena, const struct zr_request *request, struct zr_cost *cost)
+static double measure(struct zr_arena *arena, const struct zr_request *request, struct zr_cost *cost, double *bytes)
 {
     const struct zr_limits limits = zr_limits_default();
     const struct zr_scene *scene = NULL;
@@ -56,6 +56,7 @@ static double measure(struct zr_arena *arena, const struct zr_request *request, 
         zr_resolved_view_find(&(struct zr_run){.arena = arena, .error = &error}, scene, &resolved) != ZR_OK)
         return fail(&error);
     *cost = zr_scene_cost(scene, resolved);
+    *bytes = (double)arena->used + cost->window_bytes + cost->mesh_bytes;
     const double begin_ms = now_ms();
     if (zr_render(&(struct zr_run){.arena = arena, .error = &error}, scene, resolved, &frame) != ZR_OK ||
         zr_encode(&(struct zr_run){.arena = arena, .error = &error}, scene, frame, &answer) != ZR_OK)
@@ -63,41 +64,42 @@ static double measure(struct zr_arena *arena, const struct zr_request *request, 
     return now_ms() - begin_ms;
 }
 
-static void add(struct share *share, double predicted_ms, double took_ms)
+static void add(struct share *share, double predicted, double took)
 {
-    const double wrong = fmax(predicted_ms / took_ms, took_ms / predicted_ms);
+    const double wrong = fmax(predicted / took, took / predicted);
     share->count++;
     share->within_2 += wrong <= 2.0;
     share->within_3 += wrong <= 3.0;
-    share->under = fmax(share->under, took_ms / predicted_ms);
-    share->over = fmax(share->over, predicted_ms / took_ms);
+    share->under = fmax(share->under, took / predicted);
+    share->over = fmax(share->over, predicted / took);
 }
 
 static void print_share(const struct share *share)
 {
     const double all = fmax(share->count, 1.0);
-    printf("%s: %d, within 2 x %.0f %%, within 3 x %.0f %%; took up to %.1f x as long, and as little as 1/%.1f\n",
+    printf("%s: %d, within 2 x %.0f %%, within 3 x %.0f %%; took up to %.1f x as %s, and as little as 1/%.1f\n",
            share->name, share->count, 100.0 * share->within_2 / all, 100.0 * share->within_3 / all, share->under,
-           share->over);
+           share->words, share->over);
 }
 
 static void run(struct zr_arena *arena, const struct zr_request *request, const char *name, bool counts,
-                struct share shares[2])
+                struct share shares[3])
 {
     struct zr_cost cost;
-    double took_ms = HUGE_VAL, sum_ms = 0.0;
+    double took_ms = HUGE_VAL, sum_ms = 0.0, bytes = 0.0;
     for (int i = 0; i < ROUNDS && sum_ms < enough_ms; i++) {
-        const double ms = measure(arena, request, &cost);
+        const double ms = measure(arena, request, &cost, &bytes);
         if (ms < 0.0) return;
         took_ms = fmin(took_ms, ms);
         sum_ms += ms;
     }
     add(&shares[took_ms >= least_ms], cost.ms, took_ms);
+    if ((double)arena->peak >= least_bytes) add(&shares[2], bytes, (double)arena->peak);
     const struct zr_cost_most most = zr_cost_most(&cost);
-    printf(
-        "%-60s predicted %9.3f ms, took %9.3f: %5.2f; at least %7.2f MB, held %7.2f; most of it %.3f ms for %.3g %s\n",
-        name, cost.ms, took_ms, cost.ms / took_ms, 1e-6 * cost.window_bytes, 1e-6 * (double)arena->peak, most.ms,
-        most.count, most.words);
+    printf("%-60s predicted %9.3f ms, took %9.3f: %5.2f; predicted %7.2f MB, held %7.2f: %5.2f; most of it %.3f ms for "
+           "%.3g %s\n",
+           name, cost.ms, took_ms, cost.ms / took_ms, 1e-6 * bytes, 1e-6 * (double)arena->peak,
+           bytes / (double)arena->peak, most.ms, most.count, most.words);
     for (int kind = 0; counts && kind < ZR_COST_KINDS; kind++)
         printf("%s%.6g", kind ? " " : "# ", cost.counts[kind]);
     if (counts) putchar('\n');
@@ -109,10 +111,12 @@ int main(int argc, char **argv)
     static const struct {
         const char *width, *height;
     } sizes[] = {{"64", "48"}, {"640", "480"}, {"1920", "1080"}};
-    struct share shares[2] = {{.name = "below 1 ms"}, {.name = "1 ms and more"}};
+    struct share shares[3] = {{.name = "below 1 ms", .words = "long"},
+                              {.name = "1 ms and more", .words = "long"},
+                              {.name = "memory from 1 MB on", .words = "much"}};
     struct zr_arena arena;
     bool counts = false;
-    zr_arena_init(&arena, (size_t)1 << 30);
+    zr_arena_init(&arena, (size_t)1 << 34);
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--counts") == 0) {
             counts = true;
@@ -142,7 +146,7 @@ int main(int argc, char **argv)
         free(bytes);
     }
     zr_arena_free(&arena);
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 3; k++)
         print_share(&shares[k]);
     return 0;
 }
