@@ -57,8 +57,8 @@
         "file whose first line is the server's token (default: $ZRASTER_TOKEN)")                                       \
     ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS "m", "number of threads (default: all processors)")             \
     ROW(MEMORY, "memory", 0, "SIZE|N%", DRAWING_COMMANDS "m",                                                          \
-        "memory for the scenes and pictures that are drawn at once, such as 8G or 50% of what the system can spare "   \
-        "(default: 75%, at least 1G)")                                                                                 \
+        "memory for scenes and their pictures, such as 8G or 50% of what the system can spare (default: 75%, at "      \
+        "least 1G)")                                                                                                   \
     ROW(MAX_FILE_BYTES, "max-file-bytes", 0, "N", DRAWING_COMMANDS, "largest input that is read (default: 8 GiB)")     \
     ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS, "no warnings")                                                    \
     ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "line per output: name, size, look and times")                \

@@ -5,8 +5,8 @@
 #include "base/arena.h"
 #include "base/status.h"
 
-/* Adds "`step` needs at least N bytes, more than the M that a request may use`more`", or that the system has no memory.
- * Returns ZR_NO_MEMORY. */
+/* Adds "`step` needs at least N bytes, more than the M bytes that a request may use`more`", or that the system has no
+ * memory. Returns ZR_NO_MEMORY. */
 enum zr_status zr_memory_error_add(struct zr_error *error, const struct zr_arena *arena, const char *step,
                                    const char *more);
 

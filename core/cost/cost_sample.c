@@ -336,7 +336,7 @@ static void add_primitive(struct tally *tally, const struct zr_mesh *mesh, uint3
     else if (number - mesh->face_count < mesh->line_count)
         add_line(tally, mesh, mesh->lines + 2 * (size_t)(number - mesh->face_count));
     else
-        add_point(tally, mesh, mesh->points[number - mesh->face_count - mesh->line_count]);
+        add_point(tally, mesh, zr_mesh_point(mesh, number - mesh->face_count - mesh->line_count));
 }
 
 /* Returns the n-th pseudo-random number, the same on every machine (Steele's splitmix64). */

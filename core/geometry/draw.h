@@ -77,7 +77,7 @@ static inline bool zr_draw_is_cloud(const struct zr_draw *draw)
 /* Returns the position of point `number` of a cloud. */
 static inline uint32_t zr_cloud_position(const struct zr_draw *draw, uint32_t number)
 {
-    return draw->mesh->points[number - draw->first];
+    return zr_mesh_point(draw->mesh, number - draw->first);
 }
 
 /* True if all fragments are kept in lists (raster/fragments.h), not only the nearest ones. */

@@ -193,7 +193,7 @@ enum zr_status zr_wire_points(struct zr_builder *builder)
     for (uint32_t i = 0; i < mesh->point_count; i++) {
         if (!zr_builder_go_on(builder, POINT_WORK)) return ZR_CANCELLED;
         common.face = mesh->face_count + mesh->line_count + i;
-        place_point(builder, &common, mesh->points[i]);
+        place_point(builder, &common, zr_mesh_point(mesh, i));
         if (!zr_arena_ok(builder->run->arena)) return ZR_NO_MEMORY;
     }
     return ZR_OK;

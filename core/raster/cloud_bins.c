@@ -143,7 +143,7 @@ static void bin_share(struct zr_cloud_binner *binner, zr_transform_fn *transform
         struct zr_window_vertex vertices[POINTS_AT_ONCE];
         uint8_t outcodes[POINTS_AT_ONCE];
         for (uint32_t i = 0; i < count; i++)
-            positions[i] = draw->mesh->positions[draw->mesh->points[begin + i]];
+            positions[i] = draw->mesh->positions[zr_mesh_point(draw->mesh, begin + i)];
         transform(&instance->to_clip, &viewport, positions, count, vertices, outcodes, false);
         for (uint32_t i = 0; i < count; i++) {
             const unsigned code = zr_outcode_of_point(outcodes[i]);

@@ -158,7 +158,7 @@ struct zr_mesh {
     const uint32_t *lines; /* into positions, two per line */
 
     uint32_t point_count;
-    const uint32_t *points; /* into positions */
+    const uint32_t *points; /* into positions; NULL: point i is position i (zr_mesh_point) */
     float point_size;       /* pixels; below 1 it is 1 */
     bool points_are_round;  /* regular octagons, else squares */
 
@@ -232,6 +232,12 @@ static inline struct zr_rings zr_mesh_rings(const struct zr_mesh *mesh, uint32_t
     if (!mesh->face_rings) return (struct zr_rings){1, mesh->face_offsets + face};
     uint32_t first = mesh->face_rings[face];
     return (struct zr_rings){mesh->face_rings[face + 1] - first, mesh->ring_offsets + first};
+}
+
+/* Returns the position of a point. */
+static inline uint32_t zr_mesh_point(const struct zr_mesh *mesh, uint32_t point)
+{
+    return mesh->points ? mesh->points[point] : point;
 }
 
 /* Returns the number of owner ids of a mesh: one per face, then one per line, then one per point. */

@@ -16,7 +16,7 @@ static void mark_range(void *context, size_t begin, size_t end)
 {
     const struct marking *marking = context;
     for (size_t i = begin; i < end; i++)
-        atomic_store_explicit(&marking->used[marking->indices[i]], 1, memory_order_relaxed);
+        atomic_store_explicit(&marking->used[marking->indices ? marking->indices[i] : i], 1, memory_order_relaxed);
 }
 
 const uint8_t *zr_used_positions(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh)

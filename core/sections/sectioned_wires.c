@@ -88,8 +88,8 @@ static bool cut_points(const struct cutting *c, const struct zr_cancel *cancel)
     struct zr_wires *wires = c->wires;
     for (uint32_t point = 0; point < c->mesh->point_count; point++) {
         if (point % WIRES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
-        if (!is_kept(c, c->mesh->points[point])) continue;
-        wires->points[wires->point_count] = c->mesh->points[point];
+        if (!is_kept(c, zr_mesh_point(c->mesh, point))) continue;
+        wires->points[wires->point_count] = zr_mesh_point(c->mesh, point);
         wires->point_numbers[wires->point_count++] = point;
     }
     return true;

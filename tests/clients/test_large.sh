@@ -28,7 +28,7 @@ check "a file of whole pages is drawn" 0 "$zraster" full.stl -o full.png --size 
 verdict "with the same bytes" cmp mapped.png full.png
 
 check "a picture beyond --memory ends with 1" 1 "$zraster" ball.stl -o none.png --memory 100M
-verdict "the message has the need and the limit" grep -q 'needs at least [0-9]* bytes, more than the 104857600 that a request may use' complained
+verdict "the message has the need and the limit" grep -q 'needs at least [0-9]* bytes, more than the 104857600 bytes that a request may use' complained
 verdict "and the option" grep -q -e '--memory allows more, such as 90% of the [0-9.]* GB that the system can spare' complained
 verdict "no picture is left" [ ! -e none.png ]
 check "more memory draws it" 0 "$zraster" ball.stl -o more.png --memory 1.5GiB --size 160x120

@@ -86,7 +86,7 @@ TEST(memory_has_a_ceiling)
     zraster_error *error;
     assert_int_equal(zraster_open(&options, &small), ZRASTER_OK);
     assert_int_equal(zraster_draw(small, &request, &picture, &error), ZRASTER_NO_MEMORY);
-    assert_non_null(strstr(zraster_error_text(error), "more than the 1048576 that a request may use"));
+    assert_non_null(strstr(zraster_error_text(error), "more than the 1048576 bytes that a request may use"));
     zraster_error_free(error);
     zraster_close(small);
 }

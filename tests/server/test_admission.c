@@ -144,7 +144,7 @@ TEST(window_that_takes_too_much_memory_is_refused_beforehand)
         bool is_refused;
     } cases[] = {
         {"\"look\":\"studio\",\"window\":{\"width\":8192,\"height\":4096}", true},
-        {"\"look\":\"technical\",\"window\":{\"width\":8192,\"height\":2432}", true},
+        {"\"look\":\"technical\",\"window\":{\"width\":8192,\"height\":4096}", true},
         {"\"samples\":64,\"algorithm\":\"scanline\",\"window\":{\"width\":2048,\"height\":2048}", true},
         {"\"window\":{\"width\":200,\"height\":100}", false},
         {"\"look\":\"technical\",\"window\":{\"width\":200,\"height\":100}", false},

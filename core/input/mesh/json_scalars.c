@@ -123,7 +123,7 @@ static uint8_t *find_drawn(struct zr_json *json, bool is_of_faces, const float *
         if (!zr_is_same_place(mesh, line[0], line[1])) drawn[line[0]] = drawn[line[1]] = 1;
     }
     for (uint32_t i = 0; i < mesh->point_count; i++)
-        drawn[mesh->points[i]] = 1;
+        drawn[zr_mesh_point(mesh, i)] = 1;
     return drawn;
 }
 

@@ -107,8 +107,20 @@ static void drop_holes(struct zr_ply_file *file, struct zr_scene_builder *builde
 
 /* ---- points ---- */
 
+static uint32_t count_holes(const struct zr_ply_file *file)
+{
+    uint32_t holes = 0;
+    for (size_t i = 0; i < file->vertex_count && !looks_cancelled(file, i); i++)
+        holes += is_hole(file, i);
+    return holes;
+}
+
+/* Lists the points, unless that is all of them. */
 static bool make_points(struct zr_ply_file *file, struct zr_mesh *mesh)
 {
+    mesh->point_count = (uint32_t)file->vertex_count;
+    if (count_holes(file) == 0) return true;
+    mesh->point_count = 0;
     uint32_t *points = zr_arena_alloc(file->arena, file->vertex_count, sizeof *points);
     if (!points) return false;
     for (size_t i = 0; i < file->vertex_count && !looks_cancelled(file, i); i++)

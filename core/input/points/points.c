@@ -122,6 +122,10 @@ enum zr_status zr_points_draw(struct zr_points *points, struct zr_mesh *mesh)
     for (size_t i = 0; i < points->count; i++)
         if (!isnan(points->positions[i][0])) numbers[mesh->point_count++] = (uint32_t)i;
     mesh->points = numbers;
+    if (mesh->point_count == points->count) { /* point i is position i */
+        zr_arena_trim(arena, numbers, points->count, 0, sizeof *numbers);
+        mesh->points = NULL;
+    }
     const size_t holes = points->count - mesh->point_count;
     if (holes > 0)
         zr_warning_list_add(arena, &points->builder->warnings, "%s: %zu %s left out", points->format, holes,

@@ -33,7 +33,7 @@ static void mark_range(void *context, size_t begin, size_t end)
     const struct grid *grid = context;
     if (zr_is_cancelled(grid->cancel)) return;
     for (size_t i = begin; i < end; i++) {
-        const zr_vec4 *p = &grid->mesh->positions[grid->mesh->points[i]];
+        const zr_vec4 *p = &grid->mesh->positions[zr_mesh_point(grid->mesh, (uint32_t)i)];
         const uint32_t x = cell_of(grid, p->x, grid->min.x), y = cell_of(grid, p->y, grid->min.y),
                        z = cell_of(grid, p->z, grid->min.z);
         const uint32_t cell = (z * SIDE + y) * SIDE + x;

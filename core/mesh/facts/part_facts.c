@@ -308,7 +308,7 @@ static uint64_t add_vertices(const struct measuring *m, const struct zr_part *pa
     }
     for (uint32_t i = 0; i < mesh->point_count; i++) {
         if (i % VERTICES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return 1;
-        add_vertex(material, matrix, mesh, mesh->points[i], sums, &count);
+        add_vertex(material, matrix, mesh, zr_mesh_point(mesh, i), sums, &count);
     }
     return sums->faces + count;
 }

@@ -136,14 +136,14 @@ static bool open_split(struct zr_arena *arena, const struct zr_mesh *mesh, struc
     return true;
 }
 
-/* Returns the copied positions of lines or points. NULL without memory, or if cancelled. */
+/* Returns the copied positions of lines or points; positions NULL: i. NULL without memory, or if cancelled. */
 static const uint32_t *place_rest(struct zr_arena *arena, struct split *s, const struct zr_mesh *mesh,
                                   const uint32_t *positions, uint64_t count)
 {
     uint32_t *out = zr_arena_alloc(arena, count, sizeof *out);
     for (uint64_t i = 0; out && i < count; i++) {
         if (is_stopped(arena, i)) return NULL;
-        out[i] = place_of(s, positions[i], mesh->part_count);
+        out[i] = place_of(s, positions ? positions[i] : (uint32_t)i, mesh->part_count);
     }
     return out;
 }
@@ -255,7 +255,7 @@ static bool list_shown(struct zr_arena *arena, const struct zr_scene_builder *bu
     for (uint64_t i = 0; has_rest && i < 2 * (uint64_t)mesh->line_count && !is_stopped(arena, i); i++)
         is_shown[mesh->lines[i]] = 1;
     for (uint32_t i = 0; has_rest && i < mesh->point_count && !is_stopped(arena, i); i++)
-        is_shown[mesh->points[i]] = 1;
+        is_shown[zr_mesh_point(mesh, i)] = 1;
     mesh->shown = shown;
     mesh->shown_count = 0;
     for (uint32_t i = 0; i < mesh->position_count && !is_stopped(arena, i); i++)

@@ -36,10 +36,10 @@ bool batches_append_points(struct batches_builder *b, const struct batches_sourc
     b->out->triangles += end - begin;
     for (uint32_t i = begin; i < end; i++) {
         zr_vec4 color = b->scene->materials[mesh->material].base_color;
-        if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[mesh->points[i]]);
+        if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[zr_mesh_point(mesh, i)]);
         if (b->options.purpose == BATCHES_OWNERS)
             color = batches_owner_color(b->owner + mesh->face_count + mesh->line_count + i);
-        batches_append_vertex(b, s, mesh->points[i], color, (zr_vec3){0, 0, 0});
+        batches_append_vertex(b, s, zr_mesh_point(mesh, i), color, (zr_vec3){0, 0, 0});
     }
     return batches_append(b, &batch);
 }

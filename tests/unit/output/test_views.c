@@ -257,7 +257,7 @@ TEST_AROUND(files_are_the_same_for_all_teams_and_little_memory, open_arena, clos
     struct zr_views views;
     const struct zr_files want = draw(text, &views);
     uint32_t refused = 0, drawn = 0;
-    for (size_t memory = 16; memory <= 128; memory += 16) {
+    for (size_t memory = 4; memory <= 64; memory += 12) {
         enum zr_status first = ZR_OK;
         for (int threads = 1; threads <= 4; threads++) {
             struct zr_arena small;
