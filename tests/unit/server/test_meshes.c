@@ -118,7 +118,9 @@ static char *copy_answer(enum zr_status status, const struct zr_answer *answer, 
         fwrite(answer->bytes, answer->size, 1, out);
         fputs(answer->warnings, out);
     }
-    for (size_t i = 0; status != ZR_OK && i < zr_error_held(error); i++)
+    /* How much memory is needed at least depends on whether a mesh is found whole. */
+    if (status == ZR_NO_MEMORY) fputs("no memory", out);
+    for (size_t i = 0; status != ZR_OK && status != ZR_NO_MEMORY && i < zr_error_held(error); i++)
         fprintf(out, "%s: %s\n", error->items[i].pointer, error->items[i].detail);
     fclose(out);
     return text;
