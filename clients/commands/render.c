@@ -91,6 +91,7 @@ int command_render(struct options *options)
     if (status == 0) status = input_check_type(options);
     if (status == 0 && options->file_count > 1) return command_batch(options);
     output_set_encoding(options);
+    bytes_map_large_files();
     if (status == 0) status = engine_open(&engine, options, options_threads(options), 1);
     if (status != 0) return status;
     struct showing showing = {.views = {.is_shown = progress_is_wanted(options), .printed = job_clock()}};

@@ -141,16 +141,23 @@ static void say_that_it_shrank(int signal)
     _exit(1);
 }
 
+static bool maps_large_files;
+
+void bytes_map_large_files(void)
+{
+    const struct sigaction action = {.sa_handler = say_that_it_shrank};
+    sigaction(SIGBUS, &action, NULL);
+    maps_large_files = true;
+}
+
 /* Maps a file so large that a copy would cost more than the faults of its pages. A zero follows it, in the rest of its
  * last page. Returns false if it is to be read instead. */
 static bool map(int descriptor, size_t size, struct bytes *bytes)
 {
-    const struct sigaction action = {.sa_handler = say_that_it_shrank};
     const long page = sysconf(_SC_PAGESIZE);
-    if (size < LARGE_FILE || page <= 0 || size % (size_t)page == 0) return false;
+    if (!maps_large_files || size < LARGE_FILE || page <= 0 || size % (size_t)page == 0) return false;
     void *data = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE, descriptor, 0);
     if (data == MAP_FAILED) return false;
-    sigaction(SIGBUS, &action, NULL);
     *bytes = (struct bytes){.data = data, .size = size, .room = size, .is_mapped = true};
     return true;
 }
@@ -167,7 +174,8 @@ bool bytes_read(struct bytes *bytes, const char *path)
         errno = EFBIG;
         ok = false;
     }
-    const bool is_mapped = ok && is_file && bytes->size == 0 && map(descriptor, (size_t)status.st_size, bytes);
+    const bool is_mapped =
+        ok && is_file && !is_pipe && bytes->size == 0 && map(descriptor, (size_t)status.st_size, bytes);
     ok = is_mapped || (ok && reserve(bytes, is_file ? (size_t)status.st_size + 1 : 1) &&
                        read_all(descriptor, is_file, bytes) && reserve(bytes, 1));
     if (ok && !is_mapped) bytes->data[bytes->size] = '\0'; /* ends the text */

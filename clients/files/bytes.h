@@ -22,10 +22,13 @@ void bytes_free(struct bytes *bytes);
 /* Sets how many bytes of a file or of standard input bytes_read takes; 8 GiB before. */
 void bytes_set_most(unsigned long long most);
 
+/* From then on, bytes_read maps files of 64 MiB and more into memory instead of copying them. If one becomes shorter
+ * meanwhile, the process ends with status 1 and says so: for commands that draw one file. */
+void bytes_map_large_files(void);
+
 /* Reads a file; "-": standard input. A zero follows the bytes. Waits for a pipe until it ends or a signal is caught
  * (engine/interruption.h). Returns false with errno on failure: EINTR after a signal, EFBIG for too many bytes, ENODEV
- * for a device that is no terminal. Large files are mapped, not copied: if one shrinks meanwhile, the process ends with
- * status 1 and says so. */
+ * for a device that is no terminal. */
 bool bytes_read(struct bytes *bytes, const char *path);
 
 /* Adds the reason why bytes_read failed, by errno. */

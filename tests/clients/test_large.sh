@@ -27,6 +27,23 @@ verdict "with the same bytes" cmp mapped.png piped.png
 check "a file of whole pages is drawn" 0 "$zraster" full.stl -o full.png --size 160x120
 verdict "with the same bytes" cmp mapped.png full.png
 
+# Behind the bytes that were read before.
+{ printf 0123456789 && cat ball.stl; } >behind.stl
+verdict "a pipe that is a file begins where it stands" eval \
+    '{ dd bs=10 count=1 of=/dev/null 2>/dev/null && "$zraster" - --type stl --size 160x120 >behind.png 2>"$complained"; } <behind.stl'
+verdict "with the same bytes" cmp mapped.png behind.png
+
+# Where several files are drawn, one that shrinks may not end the others: they are copied.
+if strace -o probe true 2>/dev/null; then
+    is_mapped() { grep -q ", $size, PROT_READ|PROT_WRITE, MAP_PRIVATE, [0-9]" trace; }
+    check "one file is drawn under strace" 0 strace -f -e trace=mmap -o trace "$zraster" ball.stl -o mapped.png --size 160x120
+    verdict "and mapped" is_mapped
+    check "a batch is drawn under strace" 0 strace -f -e trace=mmap -o trace "$zraster" batch ball.stl -o batch --size 160x120
+    verdict "and nothing is mapped" eval '! is_mapped'
+else
+    skip "a batch maps nothing" "strace cannot run here"
+fi
+
 check "a picture beyond --memory ends with 1" 1 "$zraster" ball.stl -o none.png --memory 100M
 verdict "the message has the need and the limit" grep -q 'needs at least [0-9]* bytes, more than the 104857600 bytes that a request may use' complained
 verdict "and the option" grep -q -e '--memory allows more, such as 90% of the [0-9.]* GB that the system can spare' complained
