@@ -68,7 +68,7 @@ int render_draw(const struct engine *engine, const struct options *options)
 {
     struct job job = {.target = output_target(options->files[0], options->own[OPTION_OUTPUT]), .options = options};
     struct showing *showing = engine->progress ? engine->progress_context : NULL;
-    if (showing) ticker_start(&showing->seconds, job.target.file, showing->views.is_shown);
+    if (showing) ticker_start(&showing->seconds, showing->views.is_shown);
     if (options->own[OPTION_SHOW])
         show_run(engine, &job);
     else

@@ -82,6 +82,18 @@ zraster_status engine_draw_here(const struct engine *engine, const struct input 
     return status == ZRASTER_OK ? zraster_picture_encode(*picture, NULL, file, error) : status;
 }
 
+/* Adds what --memory can do. */
+static void advise(struct answer *answer)
+{
+    const size_t spare = zraster_spare_memory();
+    const bool has_limit = strstr(bytes_text(&answer->faults), "may use") != NULL;
+    if (spare != SIZE_MAX)
+        bytes_print(&answer->faults,
+                    has_limit ? "\n--memory allows more: the system can spare %.1f GB"
+                              : "\nthe system can spare %.1f GB for this process",
+                    1e-9 * (double)spare);
+}
+
 static void draw_here(const struct engine *engine, const struct input *input, const char *query, struct answer *answer)
 {
     zraster_error *error = NULL;
@@ -90,10 +102,7 @@ static void draw_here(const struct engine *engine, const struct input *input, co
         take_picture(answer);
     else {
         bytes_print(&answer->faults, "%s", zraster_error_text(error));
-        if (status == ZRASTER_NO_MEMORY)
-            bytes_print(&answer->faults,
-                        "\n--memory allows more, such as 90%% of the %.1f GB that the system can spare",
-                        1e-9 * (double)zraster_spare_memory());
+        if (status == ZRASTER_NO_MEMORY) advise(answer);
         answer_refuse(answer);
     }
     if (interrupted()) answer->status = STATUS_INTERRUPTED;

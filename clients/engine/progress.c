@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "job.h"
@@ -28,7 +29,9 @@ static void format(const struct progress *progress, double now, char *line, size
 
 bool progress_is_wanted(const struct options *options)
 {
-    return isatty(STDERR_FILENO) && !options->own[OPTION_PLAIN] && !options->own[OPTION_QUIET] && !getenv("NO_COLOR");
+    const char *terminal = getenv("TERM");
+    return isatty(STDERR_FILENO) && !options->own[OPTION_PLAIN] && !options->own[OPTION_QUIET] && !getenv("NO_COLOR") &&
+           !(terminal && strcmp(terminal, "dumb") == 0);
 }
 
 void progress_show(struct progress *progress, bool is_last)

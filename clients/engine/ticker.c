@@ -26,7 +26,7 @@ static void *run(void *context)
     pthread_mutex_lock(&ticker->lock);
     wait_for(ticker, FIRST_MS);
     while (!ticker->ends) {
-        fprintf(stderr, "\r%s: %.1f s\033[K", ticker->name, (job_clock() - began) / 1e3);
+        fprintf(stderr, "\r%.1f s\033[K", (job_clock() - began) / 1e3);
         fflush(stderr);
         ticker->is_printed = true;
         wait_for(ticker, PERIOD_MS);
@@ -36,10 +36,10 @@ static void *run(void *context)
 }
 
 /* The thread blocks all signals, so that they reach the one that draws. */
-void ticker_start(struct ticker *ticker, const char *name, bool is_shown)
+void ticker_start(struct ticker *ticker, bool is_shown)
 {
     sigset_t all, before;
-    *ticker = (struct ticker){.name = name, .lock = PTHREAD_MUTEX_INITIALIZER, .change = PTHREAD_COND_INITIALIZER};
+    *ticker = (struct ticker){.lock = PTHREAD_MUTEX_INITIALIZER, .change = PTHREAD_COND_INITIALIZER};
     if (!is_shown) return;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);

@@ -7,14 +7,13 @@
 
 struct ticker {
     bool is_running, ends, is_printed;
-    const char *name;
     pthread_t thread;
     pthread_mutex_t lock;
     pthread_cond_t change;
 };
 
-/* Starts the line "NAME: 3 s" if `is_shown`; it appears after half a second. */
-void ticker_start(struct ticker *ticker, const char *name, bool is_shown);
+/* Starts the line "3.2 s" if `is_shown`; it appears after half a second. */
+void ticker_start(struct ticker *ticker, bool is_shown);
 
 /* Clears the line. Others may print afterwards. Does nothing the second time. */
 void ticker_end(struct ticker *ticker);

@@ -295,7 +295,7 @@ static int check_values(struct options *options)
     size_t memory;
     if (options->own[OPTION_MEMORY] && !memory_read(options->own[OPTION_MEMORY], (size_t)1 << 40, &memory))
         return options_wrong(
-            "--memory accepts a size such as 8G or 512M, or a share of what the system can spare, such "
+            "--memory accepts a size from 1M on, such as 8G or 512M, or a share of what the system can spare, such "
             "as 50%%, not %s",
             options->own[OPTION_MEMORY]);
     if (most) bytes_set_most(strtoull(most, NULL, 10));

@@ -91,13 +91,17 @@ size_t zraster_spare_memory(void)
 
 /* ---- threads ---- */
 
-/* Makes a team whose helpers block all signals, so that handlers run in threads of the program. */
+/* Makes a team whose helpers block all signals, so that handlers run in threads of the program. Signals of faults reach
+ * the thread that has the fault: blocked, they would end the process without its handler. */
 static struct zr_process_team *make_team(int threads, pid_t process)
 {
+    static const int faults[] = {SIGBUS, SIGSEGV, SIGFPE, SIGILL};
     struct zr_process_team *made = malloc(sizeof *made);
     sigset_t all, before;
     if (!made) return NULL;
     sigfillset(&all);
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+        sigdelset(&all, faults[i]);
     pthread_sigmask(SIG_SETMASK, &all, &before);
     *made = (struct zr_process_team){process, zr_team_create(threads)};
     pthread_sigmask(SIG_SETMASK, &before, NULL);
