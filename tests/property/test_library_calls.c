@@ -1,5 +1,6 @@
 /* core/api: pictures, owners of memory, tables, threads, forks and cancels. */
 #include <cjson/cJSON.h>
+#include <dirent.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -264,6 +265,40 @@ static void raise_cancel(int number)
 {
     (void)number;
     zraster_cancel_raise(raised_by_signal);
+}
+
+/* Returns the blocked signals of a thread, bit i - 1 for signal i. */
+static unsigned long long blocked_in(const char *thread)
+{
+    char path[300], line[200];
+    unsigned long long blocked = 0;
+    snprintf(path, sizeof path, "/proc/self/task/%s/status", thread);
+    FILE *file = fopen(path, "r");
+    while (file && fgets(line, sizeof line, file))
+        if (sscanf(line, "SigBlk: %llx", &blocked) == 1) break;
+    if (file) fclose(file);
+    return blocked;
+}
+
+/* A blocked fault would end the process without the handler of the program. */
+TEST(threads_block_signals_but_those_of_faults)
+{
+    const unsigned long long faults = 1ULL << (SIGBUS - 1) | 1ULL << (SIGSEGV - 1) | 1ULL << (SIGFPE - 1),
+                             others = 1ULL << (SIGINT - 1) | 1ULL << (SIGTERM - 1);
+    const struct zraster_options options = {.struct_size = sizeof options, .threads = 4};
+    zraster *own;
+    int helpers = 0;
+    assert_int_equal(zraster_open(&options, &own), ZRASTER_OK);
+    zraster_picture_free(picture_of(own, triangle));
+    DIR *threads = opendir("/proc/self/task");
+    assert_non_null(threads);
+    for (const struct dirent *thread; (thread = readdir(threads)) != NULL;) {
+        const unsigned long long blocked = blocked_in(thread->d_name);
+        helpers += (blocked & others) == others && (blocked & faults) == 0;
+    }
+    closedir(threads);
+    zraster_close(own);
+    assert_true(helpers >= 3);
 }
 
 TEST(a_signal_handler_may_cancel)
