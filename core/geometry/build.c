@@ -192,6 +192,7 @@ static void place_vertices(void *argument, size_t begin, size_t end)
 {
     struct placing *placing = argument;
     const struct zr_builder *builder = placing->builder;
+    if (zr_is_cancelled(builder->run->cancel)) return;
     unsigned any = placing->transform(&builder->object_to_clip, &builder->viewport, builder->mesh->positions + begin,
                                       end - begin, placing->out + begin, builder->outcodes + begin, placing->streamed);
     if (any) atomic_fetch_or_explicit(&placing->any_outcodes, any, memory_order_relaxed);
@@ -251,6 +252,7 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
     placing.streamed = count >= STREAMED_VERTICES && (uintptr_t)placing.out % ZR_CACHE_LINE == 0;
     if (count > 0) /* a cloud has none, nor a mesh that a section cuts away */
         zr_team_ranges(builder->run->team, count, VERTICES_PER_RANGE, place_vertices, &placing);
+    if (zr_is_cancelled(builder->run->cancel)) return ZR_CANCELLED;
     builder->any_outcodes = placing.any_outcodes;
     geometry->vertex_count += count;
     *source = zr_source_instance_make(camera, &instance->object_to_world, mesh, builder->first_vertex);

@@ -130,13 +130,23 @@ static void find_firsts(const struct welding *w, const struct table *table, cons
     }
 }
 
+/* The first access to large memory takes long. */
+static void clear(const struct welding *w, const struct table *table)
+{
+    enum { SLOTS_AT_ONCE = 1 << 17 };
+    for (size_t at = 0; at < table->count && !zr_is_cancelled(w->cancel); at += SLOTS_AT_ONCE) {
+        const size_t left = table->count - at;
+        memset(table->slots + at, 0, (left < SLOTS_AT_ONCE ? left : SLOTS_AT_ONCE) * sizeof *table->slots);
+    }
+}
+
 static void weld_part(void *context, size_t begin, size_t end)
 {
     const struct welding *w = context;
     const uint32_t count = w->input->count;
     for (uint32_t part = (uint32_t)begin; part < end; part++) {
         struct own own[2];
-        memset(w->tables[part].slots, 0, w->tables[part].count * sizeof *w->tables[part].slots);
+        clear(w, &w->tables[part]);
         list(w, 0, part, &own[0]);
         for (uint32_t at = 0, which = 0; at < count && !zr_is_cancelled(w->cancel); which ^= 1) {
             at += count - at < AT_ONCE ? count - at : AT_ONCE;
