@@ -82,7 +82,7 @@ zraster_status engine_draw_here(const struct engine *engine, const struct input 
     return status == ZRASTER_OK ? zraster_picture_encode(*picture, NULL, file, error) : status;
 }
 
-/* Adds what --memory can do. */
+/* Adds the spare memory of the system, and --memory if it can help. */
 static void advise(struct answer *answer)
 {
     const size_t spare = zraster_spare_memory();

@@ -70,8 +70,8 @@ static size_t left_in_group(const struct group_files *files, const char *group)
     return most > held ? most - held : 0;
 }
 
-/* Returns the least of a group, such as "/a/b", and of those above it. Within a container, the group may lie outside of
- * what is mounted; the root then is its own. */
+/* Returns the least of a group, such as "/a/b", and of those above it. A container may mount its own group as the root
+ * and still name it by the path on the host; that path is then missing. */
 static size_t left_in_groups(const struct group_files *files, char *group)
 {
     size_t left = left_in_group(files, "");

@@ -4,7 +4,7 @@
 
 #include "shade/draw_attributes.h"
 
-/* Bytes per vertex, corner, triangle, point or face, by what holds them. */
+/* Bytes per vertex, corner, triangle, point or face of each array. */
 #define VERTEX_BYTES        17.0 /* of the window, and its outcode */
 #define EYE_BYTES           8.0  /* of vertices of meshes with lines */
 #define BIN_BYTES           4.0  /* per triangle */

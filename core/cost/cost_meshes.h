@@ -1,7 +1,7 @@
-/* cost_meshes.h - cost: estimate of the bytes that drawing holds at once, in arrays of the sizes of meshes.
+/* cost_meshes.h - cost: estimates the bytes that drawing holds at once in arrays whose length is that of meshes.
  *
  * Space:  views[0] of the scene.
- * Exact:  within a factor of two of what is held, with zr_cost_window_bytes, for scenes of `make bench-costs`.
+ * Exact:  no. `make bench-costs` prints the estimate, with zr_cost_window_bytes and the scene, beside the bytes held.
  */
 #ifndef ZR_COST_MESHES_H
 #define ZR_COST_MESHES_H

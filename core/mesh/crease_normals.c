@@ -180,7 +180,7 @@ static void make_sums(void *context, size_t begin, size_t end)
 /* ---- equal normals ---- */
 
 /* Moves the normals that are the first of equal ones to the front, and numbers all corners. False if cancelled. A first
- * corner comes before those that have its number. The numbers replace the slots, which nobody reads any more. */
+ * corner comes before those that have its number. The numbers overwrite the slots. */
 static bool number_normals(struct creasing *c)
 {
     uint32_t *numbers = c->slots, count = 0;

@@ -180,7 +180,7 @@ static inline struct zr_vec3_v sum_of(struct zr_vec3_v unit, const struct zr_cre
     return sum;
 }
 
-/* What is known of the normals of a vertex. */
+/* Traits of the normals of a vertex. */
 struct sums {
     bool is_bent;  /* some sources do not count */
     bool is_equal; /* all are one normal, and marked so */

@@ -160,7 +160,7 @@ ZR_INLINED void zr_put_material(struct zr_shader *s, const struct zr_draw_run *r
     s->any_per_pixel |= is_per_pixel;
 }
 
-/* Prefetches what the planes of a run of points need. */
+/* Prefetches the positions and colours of a run of points. */
 ZR_INLINED void zr_prefetch_run(const struct zr_shader *s, uint32_t run)
 {
     if (run >= s->run_count || !zr_draw_is_cloud(s->runs[run].draw)) return;

@@ -157,7 +157,7 @@ TEST(arena_newest_allocations_of_all_blocks_can_be_trimmed)
     const size_t held = arena.held;
     zr_arena_trim(&arena, first, LARGE, 1000, 1);
     assert_int_equal(arena.used, LARGE + 1024);
-    assert_int_equal(arena.held, held); /* behind what is left, until it is taken */
+    assert_int_equal(arena.held, held); /* the freed end still counts, until another allocation takes it */
     zr_arena_trim(&arena, second, LARGE, 0, 1);
     assert_int_equal(arena.used, 1024);
     assert_int_equal(arena.held, held - LARGE);

@@ -58,7 +58,7 @@ static void assert_is_soup(const struct zr_mesh *mesh)
         assert_memory_equal(&mesh->positions[mesh->indices[i]], &soup[i], sizeof *soup);
 }
 
-/* ---- what is shared ---- */
+/* ---- files with shared positions ---- */
 
 TEST(equal_vertices_are_one_position)
 {
@@ -112,7 +112,7 @@ TEST(far_vertices_are_moved_as_before)
     drop(&text);
 }
 
-/* ---- what is not ---- */
+/* ---- files without ---- */
 
 TEST(outputs_that_depend_on_common_positions_have_three_per_triangle)
 {

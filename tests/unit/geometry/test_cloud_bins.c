@@ -1,4 +1,4 @@
-/* Clouds of points: neither order nor threads nor sizes change what is drawn of them; their memory is bounded. */
+/* Clouds of points: order, threads and sizes leave the picture as it is, and their memory is bounded. */
 #include <string.h>
 
 #include "geometry/build.h"
@@ -74,7 +74,7 @@ static void assert_same_by(int first, int end)
     zr_arena_reset(&arena, SIZE_MAX);
 }
 
-/* ---- what is drawn ---- */
+/* ---- pictures ---- */
 
 TEST_AROUND(the_order_of_points_has_no_effect_on_distinct_depths, open_arena, close_arena)
 {
