@@ -1,6 +1,5 @@
 #include "request.h"
 
-#include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,6 +7,7 @@
 #include <sys/random.h>
 #include <unistd.h>
 
+#include "api/control_group.h"
 #include "clock.h"
 #include "text.h"
 
@@ -21,47 +21,28 @@ void service_init(struct service *service, const struct config *config, struct z
 
 /* ---- memory of the control group (version 2 or 1) ---- */
 
-enum { MEMORY_PERCENT = 92, FILE_SIZE = 8192 }; /* memory.stat has some 2000 bytes */
-
-/* Reads a number from a file of the kernel: the first one, or the one behind `key` at the beginning of a line. False
- * without such a number ("max": no limit). */
-static bool read_number(const char *folder, const char *file, const char *key, uint64_t *out)
-{
-    char path[512], text[FILE_SIZE], *end;
-    snprintf(path, sizeof path, "%s/%s", folder, file);
-    int fd = open(path, O_RDONLY | O_CLOEXEC);
-    if (fd < 0) return false;
-    ssize_t size = read(fd, text, sizeof text - 1);
-    close(fd);
-    text[size > 0 ? size : 0] = '\0';
-    const char *line = text;
-    size_t length = strlen(key);
-    while (line && strncmp(line, key, length) != 0) {
-        line = strchr(line, '\n');
-        if (line) line++;
-    }
-    if (!line) return false;
-    *out = strtoull(line + length, &end, 10);
-    return end != line + length;
-}
+enum { MEMORY_PERCENT = 92, FOLDER_SIZE = 512 };
 
 static bool is_short(uint64_t used, uint64_t limit)
 {
     return (double)used > (double)limit * (MEMORY_PERCENT / 100.0);
 }
 
-static const struct {
-    const char *used, *limit, *list, *droppable;
-} versions[] = {
-    {"memory.current", "memory.max", "memory.stat", "inactive_file "},
-    {"memory/memory.usage_in_bytes", "memory/memory.limit_in_bytes", "memory/memory.stat", "total_inactive_file "}};
+/* Writes the folder of a version's groups. `folder` is where all are mounted, such as /sys/fs/cgroup. */
+static void put_folder(const struct zr_group_files *files, const char *folder, char out[FOLDER_SIZE])
+{
+    snprintf(out, FOLDER_SIZE, "%s%s", folder, files->below);
+}
 
 double service_memory_limit(const struct service *service)
 {
-    uint64_t limit;
-    for (size_t i = 0; i < sizeof versions / sizeof versions[0]; i++) /* version 1 without a limit has about 2^63 */
-        if (read_number(service->config->cgroup, versions[i].limit, "", &limit) && limit < UINT64_C(1) << 60)
+    for (int i = 0; i < ZR_GROUP_VERSIONS; i++) {
+        uint64_t limit;
+        char group[FOLDER_SIZE];
+        put_folder(&zr_group_files[i], service->config->cgroup, group);
+        if (zr_kernel_number(group, zr_group_files[i].limit, "", &limit) && limit < ZR_GROUP_UNLIMITED)
             return (double)limit;
+    }
     return (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
 }
 
@@ -69,13 +50,16 @@ double service_memory_limit(const struct service *service)
  * drop at once does not count. `folder` is that of the control group, such as /sys/fs/cgroup. False without a limit. */
 static bool memory_is_short(const char *folder)
 {
-    for (size_t i = 0; i < sizeof versions / sizeof versions[0]; i++) {
+    for (int i = 0; i < ZR_GROUP_VERSIONS; i++) {
+        const struct zr_group_files *files = &zr_group_files[i];
         uint64_t used, limit, droppable = 0;
-        if (!read_number(folder, versions[i].used, "", &used) || !read_number(folder, versions[i].limit, "", &limit))
+        char group[FOLDER_SIZE];
+        put_folder(files, folder, group);
+        if (!zr_kernel_number(group, files->used, "", &used) || !zr_kernel_number(group, files->limit, "", &limit))
             continue;
         if (!is_short(used, limit)) return false;
         /* Last: the kernel may sum it over all groups and processors, which takes milliseconds. */
-        read_number(folder, versions[i].list, versions[i].droppable, &droppable);
+        zr_kernel_number(group, files->list, files->droppable, &droppable);
         return is_short(used - (droppable < used ? droppable : used), limit);
     }
     return false;
