@@ -301,6 +301,9 @@ static int check_values(struct options *options)
     if (most) bytes_set_most(strtoull(most, NULL, 10));
     if (!server && getenv("ZRASTER_SERVER") && *getenv("ZRASTER_SERVER"))
         options->own[OPTION_SERVER] = getenv("ZRASTER_SERVER");
+    if (options->own[OPTION_SERVER] && options->own[OPTION_MEMORY])
+        return options_wrong("--memory limits drawing on this machine, but %s draws: its own limit holds",
+                             options->own[OPTION_SERVER]);
     int wrong = check_channels(options);
     if (!wrong) wrong = check_shard(options);
     if (!wrong) wrong = read_size(options);

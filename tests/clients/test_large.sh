@@ -53,6 +53,8 @@ verdict "no picture is left" [ ! -e none.png ]
 check "more memory draws it" 0 "$zraster" ball.stl -o more.png --memory 1.5GiB --size 160x120
 verdict "with the same bytes" cmp mapped.png more.png
 check "a share does, too" 0 "$zraster" ball.stl -o share.png --memory 80% --size 160x120
+check "--memory beside --server is refused" 2 "$zraster" ball.stl -o none.png --memory 8G --server http://127.0.0.1:9
+verdict "since the server draws" grep -q 'but http://127.0.0.1:9 draws' complained
 if (ulimit -v 700000 && "$zraster" --version) >/dev/null 2>&1; then
     check "address space has a limit" 1 sh -c 'ulimit -v 700000; exec "$0" "$@"' "$zraster" ball.stl -o none.png --memory 60% --size 2000
     verdict "which the message has" grep -q -e 'the system can spare 0.[0-9] GB' complained
