@@ -80,10 +80,19 @@ static inline uint32_t zr_cloud_position(const struct zr_draw *draw, uint32_t nu
     return zr_mesh_point(draw->mesh, number - draw->first);
 }
 
+/* Returns the alpha mode of the material, or ZR_ALPHA_OPERAND for opaque faces of operands. */
+static inline enum zr_alpha_mode zr_draw_mode(const struct zr_draw *draw)
+{
+    const struct zr_material *material = draw->material;
+    const bool is_operand =
+        material->is_operand && material->alpha_mode == ZR_ALPHA_OPAQUE && !zr_draw_is_of_wires(draw);
+    return is_operand ? ZR_ALPHA_OPERAND : material->alpha_mode;
+}
+
 /* True if all fragments are kept in lists (raster/fragments.h), not only the nearest ones. */
 static inline bool zr_draw_is_see_through(const struct zr_draw *draw)
 {
-    return draw->material->alpha_mode != ZR_ALPHA_OPAQUE;
+    return zr_draw_mode(draw) != ZR_ALPHA_OPAQUE;
 }
 
 /* True for triangles that are neither parts of shapes nor offset in depth: the vector kernels process these in

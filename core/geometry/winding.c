@@ -293,8 +293,9 @@ bool zr_winding_add(struct zr_builder *builder, uint32_t cap)
     if (!zr_arena_ok(builder->run->arena) || !make_rooms(builder, count, &w)) return false;
     w.plane = builder->mesh->cap_planes ? builder->mesh->cap_planes[cap] : 0;
     const uint32_t face = builder->mesh->face_count - builder->mesh->cap_count + cap;
-    const bool is_opaque = zr_material_of_face(builder->scene, builder->mesh, face)->alpha_mode == ZR_ALPHA_OPAQUE;
-    if (is_opaque && builder->winding.cap_samples.bits[w.plane]) w.cap_samples = &builder->winding.cap_samples;
+    const struct zr_material *material = zr_material_of_face(builder->scene, builder->mesh, face);
+    const bool takes_samples = material->alpha_mode == ZR_ALPHA_OPAQUE && !material->is_operand;
+    if (takes_samples && builder->winding.cap_samples.bits[w.plane]) w.cap_samples = &builder->winding.cap_samples;
     find_rows(&w, count);
     if (differs(&w, count)) return add_walls(&w, count);
     if (zr_is_cancelled(builder->run->cancel) || !zr_builder_reserve_shape(builder, count)) return false;

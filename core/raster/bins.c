@@ -144,7 +144,7 @@ static void sort_shares(void *context, int worker, size_t begin, size_t end)
 
 static bool is_wanted(const struct zr_bins *bins, const struct zr_draw *draw)
 {
-    return zr_draw_is_plain(draw) && draw->material->alpha_mode == bins->mode;
+    return zr_draw_is_plain(draw) && zr_draw_mode(draw) == bins->mode;
 }
 
 static bool make_shares(struct sorting *s)

@@ -177,7 +177,7 @@ static void bin_shares(void *context, int worker, size_t begin, size_t end)
 
 static bool is_wanted(const struct zr_cloud_bins *bins, const struct zr_draw *draw)
 {
-    return zr_draw_is_cloud(draw) && draw->material->alpha_mode == bins->mode;
+    return zr_draw_is_cloud(draw) && zr_draw_mode(draw) == bins->mode;
 }
 
 /* Lists the ranges of all clouds, and the grids that they need. */

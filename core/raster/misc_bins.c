@@ -65,7 +65,7 @@ static void add_line(struct binning *b)
 
 static bool is_wanted(const struct zr_draw *draw, enum zr_alpha_mode mode)
 {
-    return !zr_draw_is_plain(draw) && !zr_draw_is_cloud(draw) && draw->material->alpha_mode == mode;
+    return !zr_draw_is_plain(draw) && !zr_draw_is_cloud(draw) && zr_draw_mode(draw) == mode;
 }
 
 /* Returns false if cancelled. */

@@ -20,7 +20,7 @@ struct zr_samples {
 
 static inline bool zr_samples_take(const struct zr_samples *samples, const struct zr_draw *draw)
 {
-    return draw->material->alpha_mode == samples->drawn;
+    return zr_draw_mode(draw) == samples->drawn;
 }
 
 /* The z-buffer: stores the hit if it is nearer than the sample. At equal depth, the earlier stays. Lists of fragments

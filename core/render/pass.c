@@ -13,7 +13,7 @@
 static bool any_draw(const struct zr_geometry *geometry, enum zr_alpha_mode mode)
 {
     for (uint32_t i = 0; i < geometry->draw_count; i++)
-        if (geometry->draws[i].material->alpha_mode == mode) return true;
+        if (zr_draw_mode(&geometry->draws[i]) == mode) return true;
     return false;
 }
 
@@ -30,6 +30,7 @@ static void find_listed(const struct zr_geometry *geometry, const struct zr_attr
                         bool listed[ZR_ALPHA_COUNT])
 {
     listed[ZR_ALPHA_OPAQUE] = false;
+    listed[ZR_ALPHA_OPERAND] = any_draw(geometry, ZR_ALPHA_OPERAND);
     listed[ZR_ALPHA_MASK] = any_draw(geometry, ZR_ALPHA_MASK);
     listed[ZR_ALPHA_BLEND] = (wants->colors || wants->samples || wants->layers) && any_draw(geometry, ZR_ALPHA_BLEND);
 }
@@ -96,7 +97,8 @@ enum zr_status zr_pass_make(const struct zr_run *run, const struct zr_pass_desc 
     if (status != ZR_OK) return status;
     pass->tiles.any_masked = listed[ZR_ALPHA_MASK];
     pass->tiles.any_blended = listed[ZR_ALPHA_BLEND];
-    if (listed[ZR_ALPHA_MASK] || listed[ZR_ALPHA_BLEND]) pass->tiles.layers = &pass->layers;
+    pass->tiles.any_solid = listed[ZR_ALPHA_OPERAND];
+    if (listed[ZR_ALPHA_MASK] || listed[ZR_ALPHA_BLEND] || listed[ZR_ALPHA_OPERAND]) pass->tiles.layers = &pass->layers;
     return ZR_OK;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/run.h"
 #include "render/layers/layers.h"
+#include "render/layers/solid_walk.h"
 #include "render/resolve.h"
 
 /* Tiles per claim. A claim waits for all earlier stores, so claims of single tiles take longer (3 % of the bunny at
@@ -38,7 +39,8 @@ static void raise_to(atomic_uint *most, float value)
 bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
                           struct zr_tile *tile)
 {
-    return zr_visibility_tile(tiles->visibility, number, cancel, tile) && zr_layers_mask(tiles, number, cancel, tile);
+    return zr_visibility_tile(tiles->visibility, number, cancel, tile) && zr_solids_put(tiles, number, cancel, tile) &&
+           zr_layers_mask(tiles, number, cancel, tile);
 }
 
 /* Draws one tile. Returns false if cancelled or out of memory. */

@@ -1,8 +1,4 @@
-/* part_keys.h - scene: the keys of a scene that change its parts (scene/parts/part_list.h), as read.
- *
- * Names:  a pattern is the name of a part, or has the signs * (any text) and ? (any one character). A text of digits
- *         that is no name is an id. Ids count parts from 1.
- */
+/* part_keys.h - scene: the keys of a scene that change its parts (scene/parts/part_list.h), as read. */
 #ifndef ZR_PART_KEYS_H
 #define ZR_PART_KEYS_H
 
@@ -10,19 +6,8 @@
 #include <stdint.h>
 
 #include "base/vec.h"
-
-struct zr_part_pattern {
-    const char *text; /* UTF-8; NULL: an id */
-    double id;
-};
-
-/* The parts that a key names. Without patterns, the key has no effect. */
-struct zr_part_set {
-    uint32_t count;
-    const struct zr_part_pattern *patterns;
-    const char *pointer; /* JSON Pointer of the value */
-    bool is_list;        /* pattern i has the pointer `pointer`/i; false: `pointer` */
-};
+#include "scene/csg.h"
+#include "scene/part_set.h"
 
 struct zr_part_highlight {
     struct zr_part_set parts;
@@ -49,13 +34,14 @@ struct zr_part_keys {
     double explode; /* factor; 0: not exploded */
     enum zr_explode_axis explode_axis;
     enum zr_color_source colors;
+    struct zr_csg_keys csg;
 };
 
 /* True if a key changes the scene. */
 static inline bool zr_part_keys_are_given(const struct zr_part_keys *keys)
 {
     return keys->hide.count > 0 || keys->isolate.count > 0 || keys->ghost.count > 0 || keys->highlight_count > 0 ||
-           keys->explode != 0.0 || keys->colors == ZR_COLORS_PARTS;
+           keys->explode != 0.0 || keys->colors == ZR_COLORS_PARTS || keys->csg.count > 0;
 }
 
 #endif

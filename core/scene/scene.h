@@ -36,6 +36,8 @@ enum zr_alpha_mode {
     ZR_ALPHA_OPAQUE, /* alpha is ignored */
     ZR_ALPHA_MASK,   /* samples with alpha below the cutoff are not covered, all others are opaque */
     ZR_ALPHA_BLEND,  /* the surface is blended over those behind it */
+    ZR_ALPHA_NAMES,
+    ZR_ALPHA_OPERAND = ZR_ALPHA_NAMES, /* of draws only: opaque faces of operands (zr_material.is_operand) */
     ZR_ALPHA_COUNT
 };
 
@@ -76,6 +78,7 @@ struct zr_material {
     bool uniform_color; /* unlit: one colour per face, even if the mesh has vertex colours */
     bool unfilled;      /* faces are not filled; with an outline, a wireframe */
     bool is_hidden;     /* elements are not drawn and keep their ids; also unfilled, without an outline */
+    bool is_operand;    /* faces of a combined solid (scene/csg.h), opaque: a walk decides where they are visible */
     enum zr_outline outline;
     zr_vec4 outline_color;
     bool is_solid;                       /* ZR_ALPHA_BLEND: of glass whose alpha is ignored */
@@ -361,6 +364,7 @@ struct zr_scene {
     const struct zr_picture *picture;
     struct zr_color_bar color_bar;
     struct zr_part_keys parts; /* as read; input/query/part_select.h changes the scene by them */
+    const struct zr_csg *csg;  /* solids combined from parts; NULL: none */
     struct zr_sections sections;
     enum zr_algorithm algorithm;
     uint32_t material_count, mesh_count, instance_count, light_count, warning_count;
@@ -392,6 +396,13 @@ struct zr_scene {
     uint32_t texture_count;
     const struct zr_texture *textures;
 };
+
+/* Returns 1 + the number of the part of a combined solid that a face belongs to, or 0. */
+static inline uint32_t zr_csg_part_of(const struct zr_csg *csg, uint32_t instance, const struct zr_mesh *mesh,
+                                      uint32_t face)
+{
+    return csg->parts[csg->first_parts[instance] + (mesh->face_parts ? mesh->face_parts[face] : 0)];
+}
 
 static inline const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh,
                                                             uint32_t face)

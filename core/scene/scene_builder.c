@@ -51,11 +51,12 @@ static bool is_same_finish(const struct zr_finish *a, const struct zr_finish *b)
 static bool is_same(const struct zr_material *a, const struct zr_material *b)
 {
     return a->shading == b->shading && a->double_sided == b->double_sided && a->unfilled == b->unfilled &&
-           a->is_hidden == b->is_hidden && a->uniform_color == b->uniform_color && a->outline == b->outline &&
-           a->shininess == b->shininess && a->metallic == b->metallic && a->roughness == b->roughness &&
-           zr_vec4_equal(a->base_color, b->base_color) && zr_vec4_equal(a->outline_color, b->outline_color) &&
-           is_same_color(a->specular, b->specular) && is_same_color(a->reflectance, b->reflectance) &&
-           a->grazing == b->grazing && is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
+           a->is_hidden == b->is_hidden && a->is_operand == b->is_operand && a->uniform_color == b->uniform_color &&
+           a->outline == b->outline && a->shininess == b->shininess && a->metallic == b->metallic &&
+           a->roughness == b->roughness && zr_vec4_equal(a->base_color, b->base_color) &&
+           zr_vec4_equal(a->outline_color, b->outline_color) && is_same_color(a->specular, b->specular) &&
+           is_same_color(a->reflectance, b->reflectance) && a->grazing == b->grazing &&
+           is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
            a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff && a->normal_scale == b->normal_scale &&
            a->coat_normal_scale == b->coat_normal_scale && a->occlusion_strength == b->occlusion_strength &&
            is_same_finish(&a->finish, &b->finish) && memcmp(a->textures, b->textures, sizeof a->textures) == 0;
@@ -85,9 +86,9 @@ static uint32_t hash(const struct zr_material *m)
         m->alpha_cutoff,    m->reflectance.x,   m->reflectance.y, m->reflectance.z,   m->grazing};
     uint32_t value = hash_floats(ZR_HASH_BEGIN, numbers, sizeof numbers / sizeof *numbers);
     value = hash_floats(value, finish, ZR_FINISH_FLOATS);
-    uint32_t word = (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 |
-                    (uint32_t)m->is_hidden << 3 | (uint32_t)m->double_sided << 2 | (uint32_t)m->unfilled << 1 |
-                    (uint32_t)m->uniform_color;
+    uint32_t word = (uint32_t)m->is_operand << 18 | (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 |
+                    (uint32_t)m->outline << 4 | (uint32_t)m->is_hidden << 3 | (uint32_t)m->double_sided << 2 |
+                    (uint32_t)m->unfilled << 1 | (uint32_t)m->uniform_color;
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         word = word * 31u + m->textures[slot];
     return zr_hash_word(value, word);

@@ -142,7 +142,10 @@ static bool has_faces(const struct zr_scene *scene)
 static void check_svg(const struct zr_scene *scene, struct zr_error *error)
 {
     const struct zr_edges *edges = &scene->picture->edges;
-    if (scene->base)
+    if (scene->csg)
+        zr_error_add(error, ZR_BAD_SCENE, "/csg",
+                     "the encoding svg has the lines of meshes, which do not end where operands are cut");
+    else if (scene->base)
         zr_error_add(error, ZR_BAD_SCENE, "/base",
                      "the encoding svg has only the lines of the mesh, so it cannot be combined with a base");
     else if (!edges->is_on)
@@ -266,6 +269,23 @@ static void check_see_through(const struct zr_scene *scene, struct zr_error *err
                      "painter keeps no fragments, which the alphaMode MASK or BLEND needs; the other algorithms do");
 }
 
+/* Solids are walked through fragments; these channels show the operands. */
+static void check_csg(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    static const enum zr_channel refused[] = {ZR_CHANNEL_LAYERS, ZR_CHANNEL_THICKNESS, ZR_CHANNEL_MASKS,
+                                              ZR_CHANNEL_TRACE};
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++)
+        if (zr_view_wants(view, refused[i]))
+            zr_error_add(error, ZR_BAD_SCENE, "/csg", "the channel %s has the operands, not the solids that they make",
+                         zr_channel_rows[refused[i]].name);
+    if (view->has_visibility)
+        zr_error_add(error, ZR_BAD_SCENE, "/visibility",
+                     "cannot be combined with csg, whose operands are drawn in part");
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER)
+        zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
+                     "painter keeps no fragments, which csg needs; the other algorithms do");
+}
+
 /* Checks the optional parts that a scene has. */
 static void check_options(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
@@ -282,6 +302,7 @@ static void check_options(const struct zr_scene *scene, const struct zr_view *vi
     if (view->lens.model != ZR_LENS_NONE) check_lens(scene, view, error);
     if (zr_view_wants(view, ZR_CHANNEL_TRACE)) check_trace(scene, view, error);
     check_formats(scene, view, error);
+    if (scene->csg) check_csg(scene, view, error);
     if (scene->is_undrawn) check_undrawn(view, error);
 }
 

@@ -133,6 +133,10 @@ static const struct {
     {"parts", ZR_SCHEMA({
         "anyOf": [{"$ref": "#/$defs/part"}, {"type": "array", "items": {"$ref": "#/$defs/part"}, "maxItems": 1000}]
     }), NONE},
+    {"csgOperand", ZR_SCHEMA({
+        "description": "Parts, which are united, or an operation.",
+        "anyOf": [{"$ref": "#/$defs/parts"}, {"$ref": "#/$defs/csg"}]
+    }), NONE},
     {"viewList", ZR_SCHEMA({
         "type": "array",
         "items": {"anyOf": [{"$ref": "#/$defs/view/properties/preset"}, {"$ref": "#/$defs/views"}]},

@@ -133,13 +133,25 @@ static bool add_positions(struct rest *rest, const struct zr_instance *instance)
     return true;
 }
 
+/* True for faces that the view of the whole scene does not fit. */
+static bool is_passed_over(const struct rest *rest, const struct zr_instance *instance, uint32_t face)
+{
+    const struct zr_scene *scene = rest->scene;
+    const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
+    if (!mesh->shown) return false;
+    if (zr_material_of_face(scene, mesh, face)->is_hidden) return true;
+    if (!scene->csg) return false;
+    const uint32_t part = zr_csg_part_of(scene->csg, (uint32_t)(instance - scene->instances), mesh, face);
+    return part > 0 && scene->csg->tools >> (part - 1) & 1;
+}
+
 /* Faces are cut as fans: the hull is that of their corners. */
 static void add_crossings(struct rest *rest, const struct zr_instance *instance)
 {
     const struct zr_mesh *mesh = &rest->scene->meshes[instance->mesh];
     for (uint32_t face = 0; face < mesh->face_count; face++) {
         const uint32_t first = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
-        if (mesh->shown && zr_material_of_face(rest->scene, mesh, face)->is_hidden) continue;
+        if (is_passed_over(rest, instance, face)) continue;
         for (uint32_t i = first + 1; i + 1 < end; i++) {
             if (i % ITEMS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(rest->run->cancel)) return;
             add_triangle(rest, instance,

@@ -53,8 +53,7 @@ static bool read_list(struct zr_json *json, const struct zr_json_path *path, str
     return is_good;
 }
 
-/* Reads one pattern or a list of patterns. */
-static bool read_set(struct zr_json *json, const struct zr_json_path *path, struct zr_part_set *out)
+bool zr_read_part_set(struct zr_json *json, const struct zr_json_path *path, struct zr_part_set *out)
 {
     *out = (struct zr_part_set){.pointer = zr_json_pointer(json->arena, path)};
     if (!out->pointer) return false;
@@ -72,17 +71,17 @@ static bool read_set(struct zr_json *json, const struct zr_json_path *path, stru
 
 bool zr_read_hide(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    return read_set(json, path, &((struct zr_parsed_scene *)out)->scene->parts.hide);
+    return zr_read_part_set(json, path, &((struct zr_parsed_scene *)out)->scene->parts.hide);
 }
 
 bool zr_read_isolate(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    return read_set(json, path, &((struct zr_parsed_scene *)out)->scene->parts.isolate);
+    return zr_read_part_set(json, path, &((struct zr_parsed_scene *)out)->scene->parts.isolate);
 }
 
 bool zr_read_ghost(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    return read_set(json, path, &((struct zr_parsed_scene *)out)->scene->parts.ghost);
+    return zr_read_part_set(json, path, &((struct zr_parsed_scene *)out)->scene->parts.ghost);
 }
 
 /* ---- highlights ---- */
@@ -92,7 +91,7 @@ static const zr_vec4 highlight_color = {1.0f, 0x6a / 255.0f, 0, 1}; /* #ff6a00 *
 /* struct zr_part_set */
 static bool read_parts(struct zr_json *json, const struct zr_json_path *path, void *out)
 {
-    return read_set(json, path, out);
+    return zr_read_part_set(json, path, out);
 }
 
 static const struct zr_json_field highlight_fields[] = {
@@ -107,7 +106,7 @@ static bool read_one_highlight(struct zr_json *json, const struct zr_json_path *
 {
     uint64_t keys;
     *out = (struct zr_part_highlight){.color = highlight_color};
-    if (zr_json_type(json) != ZR_JSON_OBJECT) return read_set(json, path, &out->parts);
+    if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_read_part_set(json, path, &out->parts);
     return zr_json_fields(json, path, &zr_json_object_highlight, out, &keys);
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "input/query/csg_check.h"
 #include "input/text/nearest.h"
 #include "input/text/text.h"
 #include "scene/parts/part_colors.h"
@@ -231,6 +232,73 @@ static void set_styles(struct selecting *s, const struct zr_part_keys *keys, uin
         if (s->marks[p]) styles[p] |= ZR_PART_HIDDEN;
 }
 
+/* ---- combined solids ---- */
+
+/* Numbers the parts of operands, and adds the styles of operands and tools. */
+static void set_operands(struct selecting *s, const struct zr_csg_keys *keys, struct zr_csg_step *steps, uint8_t *parts,
+                         struct zr_csg *csg, uint32_t *styles)
+{
+    const uint32_t count = s->list->count;
+    for (uint32_t i = 0; i < keys->count && !s->is_over && !s->is_cancelled; i++) {
+        const struct zr_csg_key *key = &keys->steps[i];
+        steps[i] = (struct zr_csg_step){.op = key->op};
+        if (key->op != ZR_CSG_PARTS) continue;
+        mark(s, &key->parts);
+        for (uint32_t p = 0; p < count; p++) {
+            if (!s->marks[p]) continue;
+            if (parts[p] == 0 && csg->part_count < ZR_CSG_PARTS_MAX) parts[p] = (uint8_t)(1 + csg->part_count);
+            if (parts[p] == csg->part_count + 1) styles[p] |= ZR_PART_OPERAND | ZR_PART_TOOL, csg->part_count++;
+            if (!key->is_tool) styles[p] &= ~(uint32_t)ZR_PART_TOOL;
+            if (parts[p] > 0) {
+                steps[i].parts |= UINT64_C(1) << (parts[p] - 1);
+                continue;
+            }
+            zr_error_add(s->error, ZR_BAD_SCENE, key->parts.pointer, "the operands have more than %d parts",
+                         ZR_CSG_PARTS_MAX);
+            return;
+        }
+    }
+    csg->step_count = keys->count;
+}
+
+static void check_operands(const struct selecting *s, const struct zr_part_keys *keys, const uint32_t *styles)
+{
+    if (keys->explode != 0.0)
+        zr_error_add(s->error, ZR_BAD_SCENE, "/explode", "cannot be combined with csg, whose operands overlap");
+    for (uint32_t p = 0; p < s->list->count; p++) {
+        if (!(styles[p] & ZR_PART_OPERAND) || !(styles[p] & ZR_PART_GHOST)) continue;
+        zr_error_add(s->error, ZR_BAD_SCENE, keys->ghost.pointer,
+                     "the part %s is an operand of csg; a second node with its mesh can be a ghost",
+                     zr_quote(s->list->at[p].name, strlen(s->list->at[p].name)).text);
+        return;
+    }
+}
+
+/* Reads the key csg into the scene, and adds the styles of its parts. */
+static bool select_operands(struct selecting *s, const struct zr_part_keys *keys, uint32_t *styles)
+{
+    struct zr_scene *scene = s->builder->scene;
+    struct zr_arena *arena = s->builder->arena;
+    struct zr_csg *csg = zr_arena_zero(arena, 1, sizeof *csg);
+    struct zr_csg_step *steps = zr_arena_alloc(arena, keys->csg.count, sizeof *steps);
+    uint8_t *parts = zr_arena_zero(arena, s->list->count, sizeof *parts);
+    uint32_t *first_parts = zr_arena_alloc(arena, scene->instance_count, sizeof *first_parts), first = 0;
+    if (!zr_arena_ok(arena)) return false;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        first_parts[i] = first;
+        first += zr_mesh_part_count(&scene->meshes[scene->instances[i].mesh]);
+    }
+    set_operands(s, &keys->csg, steps, parts, csg, styles);
+    check_operands(s, keys, styles);
+    for (uint32_t p = 0; p < s->list->count; p++)
+        if (parts[p] > 0 && styles[p] & ZR_PART_TOOL) csg->tools |= UINT64_C(1) << (parts[p] - 1);
+    csg->steps = steps;
+    csg->parts = parts;
+    csg->first_parts = first_parts;
+    scene->csg = csg;
+    return true;
+}
+
 /* ---- checks ---- */
 
 /* True if the scene has lines or points that belong to no part. */
@@ -320,11 +388,13 @@ enum zr_status zr_parts_apply(struct zr_scene_builder *builder, struct zr_error 
     s.marks = zr_arena_alloc(arena, list.count, sizeof *s.marks);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     set_styles(&s, keys, styles);
+    if (keys->csg.count > 0 && !select_operands(&s, keys, styles)) return ZR_NO_MEMORY;
     if (s.is_cancelled) return ZR_NO_MEMORY;
     check_shown(&s, keys, styles);
     check_colors(&s, keys);
     if (error->count > 0) return ZR_BAD_SCENE;
-    return edit(&s, &made);
+    const enum zr_status status = edit(&s, &made);
+    return status == ZR_OK && builder->scene->csg ? zr_csg_check(builder, &list, error) : status;
 }
 
 /* ---- sections ---- */

@@ -160,6 +160,8 @@ const struct zr_json_field zr_scene_fields[] = {
                  "numbers; x, y, z: by position"},
     [ZR_SCENE_SECTIONS] = {"sections", zr_read_sections, 0, .object = &zr_json_object_sections, .otherwise = "none",
                            .text = "planes that cut the scene open"},
+    [ZR_SCENE_CSG] = {"csg", zr_read_csg, 0, .object = &zr_json_object_csg, .otherwise = "none",
+                      .text = "closed parts combined: a tree of unions, differences and intersections"},
     [ZR_SCENE_VIEWS] = {"views", zr_read_views, 0, .object = &zr_json_object_views, .otherwise = "the scene's one view",
                         .text = "several views: presets by name, or objects with the keys that a view changes",
                         .schema = ZR_SCHEMA_OF("viewList")},

@@ -26,6 +26,7 @@
     ROW(colorBar)                                                                                                      \
     ROW(highlight)                                                                                                     \
     ROW(explode)                                                                                                       \
+    ROW(csg)                                                                                                           \
     ROW(fit)                                                                                                           \
     ROW(perspective)                                                                                                   \
     ROW(orthographic)                                                                                                  \

@@ -83,6 +83,7 @@ enum zr_scene_key {
     ZR_SCENE_EXPLODE,
     ZR_SCENE_COLORS,
     ZR_SCENE_SECTIONS,
+    ZR_SCENE_CSG,
     ZR_SCENE_VIEWS,
     ZR_SCENE_TURNTABLE,
     ZR_SCENE_ORBIT,
@@ -293,6 +294,10 @@ void zr_parsed_find_color_bar_mesh(struct zr_parsed_scene *root, const struct zr
 /* json_parts.c: reads the keys of parts into the scene. */
 zr_json_read_fn zr_read_hide, zr_read_isolate, zr_read_ghost, zr_read_highlight, zr_read_explode, zr_read_colors;
 extern const struct zr_names zr_part_color_names;
+zr_json_read_fn zr_read_csg; /* json_csg.c */
+
+/* Reads one pattern or a list of patterns. */
+bool zr_read_part_set(struct zr_json *json, const struct zr_json_path *path, struct zr_part_set *out);
 
 /* Read into the scene; lights into root->lights. */
 zr_json_read_fn zr_read_window; /* json_window.c */

@@ -30,7 +30,7 @@ static const char *const compressions[] = {"fast", "small"};
 const struct zr_names zr_shading_names = ZR_NAMES(ZR_SHADING_COUNT, shadings);
 
 static const char *const alpha_modes[] = {"OPAQUE", "MASK", "BLEND"};
-const struct zr_names zr_alpha_mode_names = ZR_NAMES(ZR_ALPHA_COUNT, alpha_modes);
+const struct zr_names zr_alpha_mode_names = ZR_NAMES(ZR_ALPHA_NAMES, alpha_modes);
 const struct zr_names zr_preset_names = ZR_NAMES(ZR_PRESET_COUNT, presets);
 const struct zr_names zr_algorithm_names = ZR_NAMES(ZR_ALGORITHM_COUNT, algorithms);
 const struct zr_names zr_light_names = ZR_NAMES(ZR_LIGHT_TYPE_COUNT, lights);

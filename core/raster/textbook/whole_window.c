@@ -106,6 +106,23 @@ static bool load_fragments(const struct zr_visibility *visibility, uint32_t numb
     return !zr_is_cancelled(cancel);
 }
 
+/* Lists all fragments of operands, those behind opaque samples included: windings need them. */
+static enum zr_status list_operands(const struct zr_run *run, const struct zr_geometry *geometry,
+                                    zr_visibility_fn *visibility, struct zr_whole_window *window)
+{
+    struct zr_samples *samples = &window->samples;
+    const size_t pixels = (size_t)samples->width * samples->height;
+    float *const depth = samples->depth, *const far = zr_arena_alloc(run->arena, pixels, sizeof *far);
+    if (!far) return ZR_NO_MEMORY;
+    for (size_t i = 0; i < pixels; i++)
+        far[i] = 1.0f;
+    samples->depth = far;
+    const enum zr_status status = zr_visibility_window_fragments(run, geometry, visibility, ZR_ALPHA_OPERAND, samples,
+                                                                 &window->lists[ZR_ALPHA_OPERAND]);
+    samples->depth = depth;
+    return status;
+}
+
 enum zr_status zr_whole_window_make(const struct zr_run *run, const struct zr_geometry *geometry,
                                     zr_visibility_fn *visibility, const bool listed[ZR_ALPHA_COUNT],
                                     const struct zr_base *base, struct zr_whole_window *window)
@@ -114,7 +131,8 @@ enum zr_status zr_whole_window_make(const struct zr_run *run, const struct zr_ge
         (struct zr_whole_window){.visibility = {.tile = load_tile, .has_any = has_any, .fragments = load_fragments}};
     enum zr_status status = zr_visibility_window(run, geometry, visibility, geometry->window.width,
                                                  geometry->window.height, base, &window->samples);
-    for (int mode = 0; mode < ZR_ALPHA_COUNT && status == ZR_OK; mode++)
+    if (listed[ZR_ALPHA_OPERAND] && status == ZR_OK) status = list_operands(run, geometry, visibility, window);
+    for (int mode = 0; mode < ZR_ALPHA_OPERAND && status == ZR_OK; mode++)
         if (listed[mode])
             status = zr_visibility_window_fragments(run, geometry, visibility, (enum zr_alpha_mode)mode,
                                                     &window->samples, &window->lists[mode]);

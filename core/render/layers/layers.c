@@ -16,6 +16,7 @@ struct zr_layers *zr_layers_take(struct zr_layers_pool *pool)
     } else {
         layers = zr_arena_alloc(pool->arena, 1, sizeof *layers);
         if (layers) layers->fragments = (struct zr_fragments){.ends = NULL};
+        if (layers) layers->walk = NULL;
     }
     pthread_mutex_unlock(&pool->lock);
     return layers;
@@ -179,7 +180,7 @@ static void count_masked(struct zr_layers_pool *pool)
     pthread_mutex_unlock(&pool->lock);
 }
 
-static void write_all(const struct zr_tile_source *tiles, struct zr_tile *tile)
+void zr_layers_write_all(const struct zr_tile_source *tiles, struct zr_tile *tile)
 {
     if (tile->is_empty)
         zr_tile_begin(tile, NULL, 0, 0);
@@ -192,7 +193,7 @@ bool zr_layers_mask(const struct zr_tile_source *tiles, uint32_t number, const s
                     struct zr_tile *tile)
 {
     const bool masked = tiles->any_masked && has_any(tiles, number, ZR_ALPHA_MASK);
-    if (masked || zr_layers_has_blended(tiles, number)) write_all(tiles, tile);
+    if (masked || zr_layers_has_blended(tiles, number)) zr_layers_write_all(tiles, tile);
     if (!masked) return true;
     struct zr_layers *layers = zr_layers_take(tiles->layers);
     if (!layers) return false;

@@ -19,7 +19,8 @@ enum { ZR_LAYER_FLOATS = ZR_TILE_STRIDE * ZR_TILE_SIZE };
 struct zr_layers {
     struct zr_layers *next; /* in the pool */
     struct zr_fragments fragments;
-    uint32_t most; /* largest number of fragments in any pixel of the tile */
+    uint32_t most;              /* largest number of fragments in any pixel of the tile */
+    struct zr_solid_walk *walk; /* solid_walk.h; NULL: not made yet */
     struct zr_tile tile;
     _Alignas(64) float front[4][ZR_LAYER_FLOATS], sum[4][ZR_LAYER_FLOATS];
 };
@@ -36,6 +37,9 @@ struct zr_layers_pool {
 /* Takes working memory from the pool. Returns NULL if out of memory; the arena has failed then. */
 struct zr_layers *zr_layers_take(struct zr_layers_pool *pool);
 void zr_layers_give(struct zr_layers_pool *pool, struct zr_layers *layers);
+
+/* Writes all samples of a tile: blocks that are unwritten, or uncovered samples if it is empty. */
+void zr_layers_write_all(const struct zr_tile_source *tiles, struct zr_tile *tile);
 
 /* Adds masked surfaces to a tile of opaque ones. Writes all samples of the tile if masked or blended fragments may
  * cover it. Returns false if cancelled or out of memory. */

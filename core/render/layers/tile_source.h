@@ -17,6 +17,7 @@ struct zr_tile_source {
     /* Masked and blended surfaces. */
     struct zr_layers_pool *layers; /* NULL: none */
     bool any_masked, any_blended;  /* any_blended: only if colours are drawn */
+    bool any_solid;                /* faces of operands (scene/csg.h) */
 };
 
 #endif

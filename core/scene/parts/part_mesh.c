@@ -59,6 +59,7 @@ static uint32_t style_material(struct zr_scene_builder *builder, const zr_vec4 *
     if (style >> ZR_PART_COLOR_SHIFT) color(&material, colors[(style >> ZR_PART_COLOR_SHIFT) - 1]);
     if (style & ZR_PART_GHOST) make_ghost(builder->scene->picture, style >> ZR_PART_COLOR_SHIFT != 0, &material);
     if (style & ZR_PART_HIDDEN) hide(&material);
+    if (style & ZR_PART_OPERAND) material.is_operand = material.double_sided = true;
     return zr_scene_builder_material(builder, &material);
 }
 
@@ -238,17 +239,24 @@ static bool whiten_faces(struct zr_arena *arena, const struct zr_part_mesh_edit 
 
 /* ---- shown positions ---- */
 
-/* Lists the positions of elements that are drawn. */
-static bool list_shown(struct zr_arena *arena, const struct zr_scene_builder *builder, struct zr_mesh *mesh)
+/* True for elements that are not drawn, and for tools of combined solids. */
+static bool is_passed_over(const struct zr_scene_builder *builder, uint32_t material, uint32_t style)
 {
-    const bool has_rest = !builder->materials[mesh->material].is_hidden;
+    return builder->materials[material].is_hidden || style & ZR_PART_TOOL;
+}
+
+/* Lists the positions of elements that views fit. */
+static bool list_shown(struct zr_arena *arena, const struct zr_scene_builder *builder,
+                       const struct zr_part_mesh_edit *edit, struct zr_mesh *mesh)
+{
+    const bool has_rest = !is_passed_over(builder, mesh->material, mesh->face_parts ? 0 : edit->styles[0]);
     uint8_t *is_shown = zr_arena_zero(arena, mesh->position_count, 1);
     zr_vec4 *shown = zr_arena_alloc(arena, mesh->position_count, sizeof *shown);
     if (!is_shown || !shown) return false;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         const uint32_t material = mesh->face_materials ? mesh->face_materials[f] : mesh->material;
         if (is_stopped(arena, f)) return false;
-        if (builder->materials[material].is_hidden) continue;
+        if (is_passed_over(builder, material, edit->styles[part_of(mesh, f)])) continue;
         for (uint32_t c = mesh->face_offsets[f]; c < mesh->face_offsets[f + 1]; c++)
             is_shown[mesh->indices[c]] = 1;
     }
@@ -266,7 +274,7 @@ static bool list_shown(struct zr_arena *arena, const struct zr_scene_builder *bu
 static bool hides_any(const struct zr_mesh *mesh, const struct zr_part_mesh_edit *edit)
 {
     for (uint32_t p = 0; p < zr_mesh_part_count(mesh); p++)
-        if (edit->styles[p] & ZR_PART_HIDDEN) return true;
+        if (edit->styles[p] & (ZR_PART_HIDDEN | ZR_PART_TOOL)) return true;
     return edit->hides_rest && zr_mesh_has_rest(mesh);
 }
 
@@ -280,5 +288,5 @@ bool zr_part_mesh_make(struct zr_scene_builder *builder, const struct zr_mesh *m
     if (!style_materials(builder, edit, out)) return false;
     if (has_color && !whiten_faces(arena, edit, out)) return false;
     if (mesh->face_parts && (edit->offsets || (has_color && mesh->colors)) && !split(arena, edit, out)) return false;
-    return !hides_any(mesh, edit) || list_shown(arena, builder, out);
+    return !hides_any(mesh, edit) || list_shown(arena, builder, edit, out);
 }

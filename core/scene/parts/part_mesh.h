@@ -5,8 +5,9 @@
 #include "scene/parts/part_offsets.h"
 #include "scene/scene_builder.h"
 
-/* The style of a part: two flags, and above them 1 + the number of its colour, or 0 if the part keeps its colours. */
-enum { ZR_PART_HIDDEN = 1, ZR_PART_GHOST = 2, ZR_PART_COLOR_SHIFT = 2 };
+/* The style of a part: flags, and above them 1 + the number of its colour, or 0 if the part keeps its colours. Operands
+ * are those of combined solids (scene/csg.h); views do not fit tools. */
+enum { ZR_PART_HIDDEN = 1, ZR_PART_GHOST = 2, ZR_PART_OPERAND = 4, ZR_PART_TOOL = 8, ZR_PART_COLOR_SHIFT = 4 };
 
 /* The edit of one mesh. */
 struct zr_part_mesh_edit {
