@@ -22,6 +22,7 @@ enum {
     POINT_SIZE,
     POINT_SHAPE,
     HEIGHTS,
+    SHAPE,
     TEXCOORDS,
     TEXCOORDS1,
     TANGENTS,
@@ -52,6 +53,8 @@ static const struct zr_json_field fields[] = {
                      .text = "square, or round: a regular octagon"},
     [HEIGHTS] = {"heights", zr_read_heights, AT(heights), .unit = "scene units",
                  .text = "grid of heights instead of positions and faces"},
+    [SHAPE] = {"shape", zr_read_shape, AT(shape), .object = &zr_json_object_shape,
+               .text = "box, sphere, cylinder, cone, torus or extrusion instead of positions and faces"},
     [TEXCOORDS] = {"texcoords", zr_read_mesh_texcoords, AT(texcoords),
                    .otherwise = "with heights: one image over the grid",
                    .text = "[u,v] per position; [0,0] is the top left corner of an image"},
@@ -70,16 +73,18 @@ static const struct zr_json_field fields[] = {
 #define FILES  (ZR_KEY(FILE_URI) | ZR_KEY(FILE_ASSET))
 #define SHAPES (ZR_KEY(POSITIONS) | ZR_KEY(FACES) | ZR_KEY(LINES) | ZR_KEY(POINTS))
 #define LISTS                                                                                                          \
-    (SHAPES | ZR_KEY(NORMALS) | ZR_KEY(COLORS) | ZR_KEY(FACE_COLORS) | ZR_KEY(HEIGHTS) | ZR_KEY(TEXCOORDS) |           \
-     ZR_KEY(TEXCOORDS1) | ZR_KEY(TANGENTS))
-/* A mesh has heights, a file, or positions with faces, lines or points. A file brings its lists and colours. */
+    (SHAPES | ZR_KEY(NORMALS) | ZR_KEY(COLORS) | ZR_KEY(FACE_COLORS) | ZR_KEY(HEIGHTS) | ZR_KEY(SHAPE) |               \
+     ZR_KEY(TEXCOORDS) | ZR_KEY(TEXCOORDS1) | ZR_KEY(TANGENTS))
+/* A mesh has heights, a shape, a file, or positions with faces, lines or points. A file brings its lists and colours. */
 static const struct zr_json_rule rules[] = {
     {ZR_RULE_AGAINST, .text = "two shapes: %s and %s", .sets = {FILES, LISTS}},
     {ZR_RULE_APART, .text = "only one of uri and asset is needed", .sets = {ZR_KEY(FILE_URI), ZR_KEY(FILE_ASSET)}},
-    {ZR_RULE_AGAINST, .text = "two shapes: %s and %s", .sets = {ZR_KEY(HEIGHTS), SHAPES}},
-    {ZR_RULE_SOME, .text = "positions is missing", .sets = {ZR_KEY(POSITIONS) | ZR_KEY(HEIGHTS) | FILES}},
+    {ZR_RULE_AGAINST, .text = "two shapes: %s and %s", .sets = {ZR_KEY(HEIGHTS), SHAPES | ZR_KEY(SHAPE)}},
+    {ZR_RULE_AGAINST, .text = "two shapes: %s and %s", .sets = {ZR_KEY(SHAPE), SHAPES}},
+    {ZR_RULE_SOME, .text = "positions is missing",
+     .sets = {ZR_KEY(POSITIONS) | ZR_KEY(HEIGHTS) | ZR_KEY(SHAPE) | FILES}},
     {ZR_RULE_SOME, .text = "faces is missing, and so are lines and points",
-     .sets = {ZR_KEY(FACES) | ZR_KEY(LINES) | ZR_KEY(POINTS) | ZR_KEY(HEIGHTS) | FILES}}};
+     .sets = {ZR_KEY(FACES) | ZR_KEY(LINES) | ZR_KEY(POINTS) | ZR_KEY(HEIGHTS) | ZR_KEY(SHAPE) | FILES}}};
 #undef FILES
 #undef SHAPES
 #undef LISTS
@@ -104,7 +109,8 @@ const struct zr_json_object zr_json_object_mesh = {ZR_JSON_FIELDS("mesh", fields
     }),
     .examples = ZR_SCHEMA([
         {"positions": [[0, 0, 0], [2, 0, 0], [1, 2, 0]], "faces": [[0, 1, 2]]},
-        {"heights": [[0, 1, 0], [1, 2, 1]], "colormap": "viridis"}, {"asset": "part.stl"}
+        {"heights": [[0, 1, 0], [1, 2, 1]], "colormap": "viridis"}, {"asset": "part.stl"},
+        {"name": "hole", "shape": {"type": "cylinder", "radius": 2.5, "height": 20}}
     ])};
 /* clang-format on */
 
@@ -151,6 +157,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, void 
                                        .points.indices.size = sizeof(uint32_t),
                                        .point_size = 1.0f,
                                        .heights.values.size = sizeof(float),
+                                       .shape.type = -1,
                                        .scalars = ZR_SCALARS_UNSET};
         const struct zr_json_path *at = ZR_JSON_ITEM(path, list->count);
         const size_t faults = json->error->count;
@@ -272,6 +279,10 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
     if (gives(given, HEIGHTS)) {
         const bool textured = zr_parsed_has_textures(root, style.material) && !gives(given, TEXCOORDS);
         if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, textured, mesh)) return;
+    } else if (gives(given, SHAPE)) {
+        struct zr_shape_desc shape = given->shape;
+        if (json->move) memcpy(shape.move, json->move, sizeof shape.move);
+        if (shape.type < 0 || !zr_shape_make(json->arena, &shape, mesh)) return;
     } else {
         if (!given->positions.items) return; /* the other checks need the count of positions */
         mesh->position_count = (uint32_t)given->positions.count;
@@ -289,7 +300,7 @@ static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *p
     zr_scalars_apply(json, path, &given->scalars, gives(given, HEIGHTS) ? given->heights.values.items : NULL,
                      &root->builder->color_warnings, mesh);
     make_texcoords(json, path, given, mesh);
-    if (given->faces.ends.items || gives(given, HEIGHTS))
+    if (given->faces.ends.items || gives(given, HEIGHTS) || gives(given, SHAPE))
         zr_parsed_check_texcoords(root, path, style.material, gives(given, TEXCOORDS) || gives(given, HEIGHTS),
                                   gives(given, TEXCOORDS1));
     if (json->error->count > 0) return;

@@ -6,6 +6,7 @@
 #define ZR_PARSED_MESH_H
 
 #include "input/json/json_list.h"
+#include "input/mesh/shapes.h"
 #include "input/scene/json_scene.h"
 #include "scene/colormap.h"
 #include "scene/scene_builder.h"
@@ -30,6 +31,9 @@ zr_json_read_fn zr_read_heights;
 bool zr_heights_make(struct zr_json *json, const struct zr_json_path *path, const struct zr_heights *heights,
                      bool with_texcoords, struct zr_mesh *mesh);
 void zr_heights_drop_holes(struct zr_arena *arena, const struct zr_heights *heights, struct zr_mesh *mesh);
+
+/* struct zr_shape_desc: json_shape.c */
+zr_json_read_fn zr_read_shape;
 
 /* ---- json_scalars.c: numbers of a mesh, and the colormap that turns them into colours ----
  *
@@ -109,6 +113,7 @@ struct zr_parsed_mesh {
     float point_size;
     int point_shape; /* ZR_POINT_ROUND ... */
     struct zr_heights heights;
+    struct zr_shape_desc shape; /* json_shape.c; type -1: none, or refused */
     struct zr_scalars scalars;
 };
 

@@ -38,7 +38,7 @@
     ROW(texture)                                                                                                       \
     ROW(normalTexture)                                                                                                 \
     ROW(occlusionTexture)                                                                                              \
-    ROW(sampler) ROW(mesh) ROW(heights) ROW(polygon) ROW(node) ROW(output) ROW(flow) ROW(base) ROW(bytes)
+    ROW(sampler) ROW(mesh) ROW(heights) ROW(shape) ROW(polygon) ROW(node) ROW(output) ROW(flow) ROW(base) ROW(bytes)
 
 #define ZR_JSON_OBJECT_DECLARED(name) extern const struct zr_json_object zr_json_object_##name;
 ZR_JSON_OBJECTS(ZR_JSON_OBJECT_DECLARED)
