@@ -66,10 +66,9 @@ static void add_candidate(const struct zr_binned_scene *binned, const struct zr_
 
 /* Draws the large triangles, which every tile tests, and the wide ones that are listed in this tile. With the nearest
  * first, the back of a cube costs half. */
-static bool draw_wide_ones(const struct zr_binned_scene *binned, uint32_t number, const struct zr_cancel *cancel,
-                           struct zr_tile *tile)
+static bool draw_wide_ones(const struct zr_binned_scene *binned, const struct zr_bins *bins, uint32_t number,
+                           const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    const struct zr_bins *bins = &binned->modes[ZR_ALPHA_OPAQUE].bins;
     struct candidates candidates;
     candidates.count = 0;
     for (uint32_t i = 0; i < bins->large_count; i++) {
@@ -137,9 +136,9 @@ static bool put_small_ones(const struct zr_binned_scene *binned, const struct zr
     return true;
 }
 
-static void draw_tiny_ones(const struct zr_binned_scene *binned, uint32_t number, struct zr_tile *tile)
+static void draw_tiny_ones(const struct zr_binned_scene *binned, const struct zr_bins *bins, uint32_t number,
+                           struct zr_tile *tile)
 {
-    const struct zr_bins *bins = &binned->modes[ZR_ALPHA_OPAQUE].bins;
     for (int i = 0; i < bins->worker_count; i++)
         for (const struct zr_bin_head *b = bins->workers[i].tiles[number].fragments.first; b; b = b->next)
             draw_fragments(binned, (const struct zr_bin_fragments *)b, bins->fragments_size, tile);
@@ -285,9 +284,11 @@ static bool has_any(const struct zr_visibility *visibility, uint32_t number, enu
 }
 
 /* Returns true if keeping early colours pays: there are enough of them, and no other primitive is drawn over them. */
-static bool keeps_early_color(const struct zr_mode_bins *mode_bins, uint32_t number)
+static bool keeps_early_color(const struct zr_binned_scene *binned, uint32_t number)
 {
+    const struct zr_mode_bins *mode_bins = &binned->modes[ZR_ALPHA_OPAQUE];
     const struct zr_bins *bins = &mode_bins->bins;
+    if (bins->has_words && has_any(&binned->visibility, number, ZR_ALPHA_OPERAND)) return false;
     uint32_t fragments = 0, small = 0;
     for (int i = 0; bins->has_words && i < bins->worker_count; i++) {
         fragments += bins->workers[i].tiles[number].fragments.block_count;
@@ -295,6 +296,16 @@ static bool keeps_early_color(const struct zr_mode_bins *mode_bins, uint32_t num
     }
     return (fragments >= BLOCKS_WITH_COLOR || small >= SMALL_BLOCKS_WITH_COLOR) &&
            !any_listed(&mode_bins->misc, number) && !zr_cloud_bins_any(&mode_bins->clouds, number);
+}
+
+/* Draws all but the large and wide triangles to a written tile. */
+static bool draw_smaller(const struct zr_binned_scene *binned, const struct zr_mode_bins *mode_bins, uint32_t number,
+                         const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    if (!put_small_ones(binned, &mode_bins->bins, number, cancel, tile)) return false;
+    draw_tiny_ones(binned, &mode_bins->bins, number, tile);
+    return draw_misc(binned, &mode_bins->misc, number, cancel, tile) &&
+           zr_cloud_bins_draw(&mode_bins->clouds, number, cancel, tile);
 }
 
 static bool draw_tile(const struct zr_visibility *visibility, uint32_t number, const struct zr_cancel *cancel,
@@ -312,16 +323,22 @@ static bool draw_tile(const struct zr_visibility *visibility, uint32_t number, c
     else
         binned->halfspace->begin(tile);
     /* The largest first: they hide most, and only they can leave blocks unwritten. */
-    if (!draw_wide_ones(binned, number, cancel, tile)) return false;
+    if (!draw_wide_ones(binned, &opaque->bins, number, cancel, tile)) return false;
     if (!has_more(opaque, number) && zr_tile_has_whole_blocks(tile)) return true;
     binned->halfspace->flush(tile);
     tile->has_block_owners = false;
-    tile->has_early_color = keeps_early_color(opaque, number);
+    tile->has_early_color = keeps_early_color(binned, number);
     if (tile->has_early_color) memset(tile->early_color, 0, sizeof tile->early_color);
-    if (!put_small_ones(binned, &opaque->bins, number, cancel, tile)) return false;
-    draw_tiny_ones(binned, number, tile);
-    return draw_misc(binned, &opaque->misc, number, cancel, tile) &&
-           zr_cloud_bins_draw(&opaque->clouds, number, cancel, tile);
+    return draw_smaller(binned, opaque, number, cancel, tile);
+}
+
+static bool draw_over(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
+                      const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    const struct zr_binned_scene *binned = binned_of(visibility);
+    const struct zr_mode_bins *mode_bins = &binned->modes[mode];
+    return draw_wide_ones(binned, &mode_bins->bins, number, cancel, tile) &&
+           draw_smaller(binned, mode_bins, number, cancel, tile);
 }
 
 static bool list_fragments(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
@@ -342,7 +359,8 @@ enum zr_status zr_binned_scene_make(const struct zr_run *run, const struct zr_ge
                                     const struct zr_prepaint *prepaints, uint32_t width, uint32_t height,
                                     const struct zr_base *base, struct zr_binned_scene *binned)
 {
-    binned->visibility = (struct zr_visibility){.tile = draw_tile, .has_any = has_any, .fragments = list_fragments};
+    binned->visibility =
+        (struct zr_visibility){.tile = draw_tile, .has_any = has_any, .fragments = list_fragments, .draw = draw_over};
     binned->geometry = geometry;
     binned->prepaints = prepaints;
     binned->halfspace = zr_halfspace_of(zr_team_isa(run->team));

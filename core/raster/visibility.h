@@ -27,6 +27,11 @@ struct zr_visibility {
     bool (*fragments)(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
                       const struct zr_cancel *cancel, struct zr_tile *tile);
 
+    /* Draws the primitives with that alpha mode as if they were opaque, to a tile all samples of which are written and
+     * which keeps no early colours. */
+    bool (*draw)(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
+                 const struct zr_cancel *cancel, struct zr_tile *tile);
+
     struct zr_counts counts; /* of draws that are not `counted` */
 };
 
@@ -47,6 +52,12 @@ static inline bool zr_visibility_fragments(const struct zr_visibility *visibilit
                                            struct zr_tile *tile)
 {
     return visibility->fragments(visibility, number, mode, cancel, tile);
+}
+
+static inline bool zr_visibility_draw(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
+                                      const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    return visibility->draw(visibility, number, mode, cancel, tile);
 }
 
 #endif

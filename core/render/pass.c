@@ -5,6 +5,7 @@
 #include "geometry/build.h"
 #include "raster/binned_scene.h"
 #include "raster/textbook/whole_window.h"
+#include "render/layers/solid_boxes.h"
 #include "render/stage.h"
 #include "scene/picture.h"
 #include "shade/paint.h"
@@ -97,9 +98,9 @@ enum zr_status zr_pass_make(const struct zr_run *run, const struct zr_pass_desc 
     if (status != ZR_OK) return status;
     pass->tiles.any_masked = listed[ZR_ALPHA_MASK];
     pass->tiles.any_blended = listed[ZR_ALPHA_BLEND];
-    pass->tiles.any_solid = listed[ZR_ALPHA_OPERAND];
+    if (listed[ZR_ALPHA_OPERAND]) STAGE(zr_solid_boxes_make(run, scene->csg, &pass->geometry, &pass->tiles.solids));
     if (listed[ZR_ALPHA_MASK] || listed[ZR_ALPHA_BLEND] || listed[ZR_ALPHA_OPERAND]) pass->tiles.layers = &pass->layers;
-    return ZR_OK;
+    return status;
 }
 
 struct zr_counts zr_pass_counts(const struct zr_pass *pass)

@@ -123,12 +123,30 @@ static enum zr_status list_operands(const struct zr_run *run, const struct zr_ge
     return status;
 }
 
+/* Puts the nearest fragment of each list. */
+static bool draw_nearest(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
+                         const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    const struct zr_whole_window *window = window_of(visibility);
+    (void)number;
+    for (int32_t y = 0; window->lists[mode].ends && y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++) {
+            const size_t at = (size_t)(tile->y + y) * window->samples.width + (size_t)(tile->x + x);
+            uint32_t count;
+            const uint64_t *keys = zr_fragments_of(&window->lists[mode], (uint32_t)at, &count);
+            if (count > 0)
+                zr_tile_put_at(tile, (uint32_t)(y * ZR_TILE_STRIDE + x), zr_fragment_depth(keys[0]),
+                               zr_fragment_owner(keys[0]));
+        }
+    return !zr_is_cancelled(cancel);
+}
+
 enum zr_status zr_whole_window_make(const struct zr_run *run, const struct zr_geometry *geometry,
                                     zr_visibility_fn *visibility, const bool listed[ZR_ALPHA_COUNT],
                                     const struct zr_base *base, struct zr_whole_window *window)
 {
-    *window =
-        (struct zr_whole_window){.visibility = {.tile = load_tile, .has_any = has_any, .fragments = load_fragments}};
+    *window = (struct zr_whole_window){
+        .visibility = {.tile = load_tile, .has_any = has_any, .fragments = load_fragments, .draw = draw_nearest}};
     enum zr_status status = zr_visibility_window(run, geometry, visibility, geometry->window.width,
                                                  geometry->window.height, base, &window->samples);
     if (listed[ZR_ALPHA_OPERAND] && status == ZR_OK) status = list_operands(run, geometry, visibility, window);

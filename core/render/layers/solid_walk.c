@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "render/layers/solid_boxes.h"
 #include "scene/csg.h"
 #include "shade/eye/eye_depth.h"
 
@@ -10,7 +11,13 @@
 #define ORDERED_APART (1.0f / 1024.0f)
 
 /* Faces recur from sample to sample, so the last ones are kept. */
-enum { REMEMBERED = 256, REMEMBERED_FRAGMENTS = 32, REMEMBERED_VALUES = 64, FRAGMENTS_PER_CANCEL_CHECK = 1 << 12 };
+enum {
+    REMEMBERED = 256,
+    REMEMBERED_FRAGMENTS = 32,
+    REMEMBERED_VALUES = 64,
+    KIND_PARTS = 6,
+    FRAGMENTS_PER_CANCEL_CHECK = 1 << 12
+};
 
 struct face {
     uint32_t owner; /* 0: none */
@@ -33,6 +40,13 @@ struct last {
     uint32_t owners[REMEMBERED_FRAGMENTS];
 };
 
+/* How the value of the tree follows from some of the parts, if the ray is in no other. */
+enum kind {
+    NONE, /* it is false: nothing of them is visible */
+    ANY,  /* it is true in each of them: the nearest face is visible, as the z-buffer finds it */
+    MIXED
+};
+
 struct zr_solid_walk {
     const struct zr_tile_source *tiles;
     const struct zr_csg *csg;
@@ -47,6 +61,8 @@ struct zr_solid_walk {
     struct last last;
     uint64_t insides[REMEMBERED_VALUES]; /* values of the tree that were found last; one slot per hash */
     bool values[REMEMBERED_VALUES];
+    uint64_t kind_parts[REMEMBERED_VALUES]; /* kinds that were found last, likewise */
+    enum kind kinds[REMEMBERED_VALUES];
     struct face faces[REMEMBERED];
 };
 
@@ -143,14 +159,16 @@ static void order(struct zr_solid_walk *walk, const uint64_t *keys, uint32_t fir
 
 /* ---- the walk ---- */
 
-/* Sets the windings at the eye. Returns the parts that it is inside. If backs are missing, the far plane cuts the part. */
-static uint64_t begin(struct zr_solid_walk *walk, const uint64_t *keys, uint32_t count)
+/* Sets the windings at the eye, and the parts of the faces. Returns the parts that it is inside. If backs are missing, the far plane cuts the part. */
+static uint64_t begin(struct zr_solid_walk *walk, const uint64_t *keys, uint32_t count, uint64_t *parts)
 {
     uint64_t inside = 0;
+    *parts = 0;
     memset(walk->windings, 0, walk->csg->part_count * sizeof *walk->windings);
     for (uint32_t i = 0; i < count; i++) {
         const struct face *face = face_of(walk, keys[i]);
         walk->windings[face->part] -= face->turn;
+        *parts |= UINT64_C(1) << face->part;
     }
     for (uint32_t i = 0; i < walk->csg->part_count; i++) {
         if (walk->windings[i] < 0) walk->windings[i] = 0;
@@ -159,10 +177,15 @@ static uint64_t begin(struct zr_solid_walk *walk, const uint64_t *keys, uint32_t
     return inside;
 }
 
+static uint32_t slot_of(uint64_t parts)
+{
+    return (uint32_t)(parts * UINT64_C(0x9E3779B97F4A7C15) >> 58);
+}
+
 /* zr_csg_value, found once for each combination of parts. */
 static bool value_of(struct zr_solid_walk *walk, uint64_t inside)
 {
-    const uint32_t slot = (uint32_t)(inside * UINT64_C(0x9E3779B97F4A7C15) >> 58);
+    const uint32_t slot = slot_of(inside);
     if (walk->insides[slot] != inside) {
         walk->insides[slot] = inside;
         walk->values[slot] = zr_csg_value(walk->csg, inside);
@@ -214,10 +237,44 @@ static uint64_t pass_steps(struct zr_solid_walk *walk, uint32_t count, bool valu
     return 0;
 }
 
+/* Returns the kind of up to KIND_PARTS parts; that of more is mixed. */
+static enum kind find_kind(const struct zr_csg *csg, uint64_t parts)
+{
+    uint64_t each[KIND_PARTS], positive = 0;
+    uint32_t count = 0;
+    for (; parts != 0; parts &= parts - 1) {
+        if (count == KIND_PARTS) return MIXED;
+        each[count] = parts & (~parts + 1);
+        if (zr_csg_value(csg, each[count])) positive |= each[count];
+        count++;
+    }
+    for (uint32_t some = 0; some < 1u << count; some++) {
+        uint64_t inside = 0;
+        for (uint32_t i = 0; i < count; i++)
+            if (some >> i & 1) inside |= each[i];
+        if (zr_csg_value(csg, inside) != ((inside & positive) != 0)) return MIXED;
+    }
+    for (uint32_t i = 0; i < count; i++)
+        if (positive != 0 && !(positive & each[i])) return MIXED;
+    return positive != 0 ? ANY : NONE;
+}
+
+static enum kind kind_of(struct zr_solid_walk *walk, uint64_t parts)
+{
+    const uint32_t slot = slot_of(parts);
+    if (walk->kind_parts[slot] != parts) {
+        walk->kind_parts[slot] = parts;
+        walk->kinds[slot] = find_kind(walk->csg, parts);
+    }
+    return walk->kinds[slot];
+}
+
 /* Returns the key of the visible fragment of a list, or 0. */
 static uint64_t find_visible(struct zr_solid_walk *walk, const uint64_t *keys, uint32_t count)
 {
-    uint64_t inside = begin(walk, keys, count), seen = 0;
+    uint64_t parts, inside = begin(walk, keys, count, &parts), seen = 0;
+    const enum kind kind = kind_of(walk, parts);
+    if (kind != MIXED) return kind == ANY ? keys[0] : 0;
     const bool value = value_of(walk, inside);
     for (uint32_t first = 0, end; first < count && seen == 0; first = end) {
         end = cluster_end(keys, first, count);
@@ -307,7 +364,8 @@ static struct zr_solid_walk *walk_make(const struct zr_tile_source *tiles, const
     for (int i = 0; i < REMEMBERED; i++)
         walk->faces[i].owner = 0;
     for (int i = 0; i < REMEMBERED_VALUES; i++) {
-        walk->insides[i] = 0;
+        walk->insides[i] = walk->kind_parts[i] = 0;
+        walk->kinds[i] = NONE;
         walk->values[i] = zr_csg_value(walk->csg, 0);
     }
     return walk;
@@ -335,10 +393,13 @@ bool zr_solids_put(const struct zr_tile_source *tiles, uint32_t number, const st
 {
     const struct zr_window *window = &tiles->geometry->window;
     struct zr_tile all;
-    if (!tiles->any_solid || !zr_visibility_has_any(tiles->visibility, number, ZR_ALPHA_OPERAND)) return true;
+    if (!tiles->solids || !zr_visibility_has_any(tiles->visibility, number, ZR_ALPHA_OPERAND)) return true;
+    const enum kind kind = find_kind(tiles->scene->csg, zr_solid_boxes_at(tiles->solids, tile));
+    if (kind == NONE) return true;
+    zr_layers_write_all(tiles, tile);
+    if (kind == ANY) return zr_visibility_draw(tiles->visibility, number, ZR_ALPHA_OPERAND, cancel, tile);
     struct zr_layers *layers = zr_layers_take(tiles->layers);
     if (!layers) return false;
-    zr_layers_write_all(tiles, tile);
     zr_tile_place(&all, number, window->width, window->height);
     zr_tile_begin(&all, NULL, window->width, window->height);
     all.has_early_color = false;

@@ -6,6 +6,7 @@
 #include "shade/draw_attributes.h"
 
 struct zr_layers_pool; /* layers.h */
+struct zr_solid_boxes; /* solid_boxes.h */
 
 struct zr_tile_source {
     const struct zr_scene *scene;
@@ -15,9 +16,9 @@ struct zr_tile_source {
     enum zr_isa isa;
 
     /* Masked and blended surfaces. */
-    struct zr_layers_pool *layers; /* NULL: none */
-    bool any_masked, any_blended;  /* any_blended: only if colours are drawn */
-    bool any_solid;                /* faces of operands (scene/csg.h) */
+    struct zr_layers_pool *layers;       /* NULL: none */
+    bool any_masked, any_blended;        /* any_blended: only if colours are drawn */
+    const struct zr_solid_boxes *solids; /* boxes of operands (scene/csg.h); NULL: none are drawn */
 };
 
 #endif
