@@ -28,9 +28,14 @@ static bool is_selected(const struct zr_points *points, uint32_t mesh)
     return !points->fitted_only || !view->fit_to_mesh || view->fit_mesh == (owners ? owners[mesh] : mesh);
 }
 
-static uint32_t shown_count(const struct zr_mesh *mesh)
+static bool shows_some(const struct zr_points *points, const struct zr_mesh *mesh)
 {
-    return mesh->shown ? mesh->shown_count : mesh->position_count;
+    return mesh->shown && !points->with_hidden;
+}
+
+static uint32_t shown_count(const struct zr_points *points, const struct zr_mesh *mesh)
+{
+    return shows_some(points, mesh) ? mesh->shown_count : mesh->position_count;
 }
 
 static size_t count_points(const struct zr_points *points)
@@ -39,7 +44,7 @@ static size_t count_points(const struct zr_points *points)
     size_t count = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const uint32_t mesh = scene->instances[i].mesh;
-        if (is_selected(points, mesh)) count += shown_count(&scene->meshes[mesh]);
+        if (is_selected(points, mesh)) count += shown_count(points, &scene->meshes[mesh]);
     }
     return count;
 }
@@ -62,7 +67,7 @@ static void search_instance(const struct search *search, const struct zr_instanc
 {
     const struct zr_points *points = search->points;
     const struct zr_mesh *mesh = &points->scene->meshes[instance->mesh];
-    const zr_vec4 *positions = mesh->shown ? mesh->shown : mesh->positions;
+    const zr_vec4 *positions = shows_some(points, mesh) ? mesh->shown : mesh->positions;
     const zr_mat4 identity = zr_mat4_identity(), *to_eye = points->world_to_eye;
     const zr_mat4 matrix = to_eye ? zr_mat4_mul(to_eye, &instance->object_to_world) : instance->object_to_world;
     const bool moves = memcmp(&matrix, &identity, sizeof identity) != 0;
@@ -83,7 +88,7 @@ static void search_range(void *context, int worker, size_t begin, size_t end)
     for (uint32_t i = 0; i < scene->instance_count && first < end; i++) {
         const struct zr_instance *instance = &scene->instances[i];
         if (!is_selected(search->points, instance->mesh)) continue;
-        const size_t after = first + shown_count(&scene->meshes[instance->mesh]);
+        const size_t after = first + shown_count(search->points, &scene->meshes[instance->mesh]);
         if (after > begin)
             search_instance(search, instance, begin > first ? begin - first : 0, (end < after ? end : after) - first,
                             search->found[worker].most);

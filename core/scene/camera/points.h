@@ -19,6 +19,7 @@ struct zr_points {
     struct zr_team *team;           /* NULL: one thread */
     const struct zr_cancel *cancel; /* may be NULL; if cancelled, the search returns its maxima so far */
     bool fitted_only;               /* points of the fitted mesh only, if the view names one */
+    bool with_hidden;               /* also points of elements that are not shown, and of tools */
     const zr_mat4 *world_to_eye;    /* points in eye space, in the same floats as drawing; NULL: in world space */
 };
 

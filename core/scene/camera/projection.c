@@ -117,6 +117,14 @@ static zr_mat4 orthographic(double xmag, double ymag, double n, double f)
                       (float)((f + n) / (n - f)), 1}};
 }
 
+/* Near and far planes may not cut tools of combined solids, which no view fits. */
+static struct zr_extent extent_with_tools(const struct zr_points *points, const zr_mat4 *world_to_eye)
+{
+    struct zr_points all = *points;
+    all.with_hidden = true;
+    return zr_extent_in_eye_space(&all, world_to_eye, false);
+}
+
 enum zr_status zr_camera_project(const struct zr_points *points, const struct zr_bounds *bounds,
                                  const struct zr_bounds *fitted, struct zr_camera *camera, struct zr_error *error)
 {
@@ -126,6 +134,7 @@ enum zr_status zr_camera_project(const struct zr_points *points, const struct zr
         return ZR_OK;
     }
     struct zr_extent whole = zr_extent_in_eye_space(points, &camera->world_to_eye, false), e = whole;
+    if (points->scene->csg) whole = extent_with_tools(points, &camera->world_to_eye);
     if (view->fit_to_mesh) e = zr_extent_in_eye_space(points, &camera->world_to_eye, true);
     const float *m = camera->world_to_eye.m;
     zr_dvec3 moved = {(double)m[12], (double)m[13], (double)m[14]};
