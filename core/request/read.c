@@ -22,6 +22,7 @@
 #include "mesh/mesh_tables.h"
 #include "overlay/color_bar.h"
 #include "render_request.h"
+#include "request/csg_check.h"
 #include "scene/camera/camera.h"
 #include "scene/camera/view_set.h"
 #include "scene/defaults.h"
@@ -164,6 +165,7 @@ static enum zr_status edit_parts(const struct zr_request *request, struct zr_sce
     if (status == ZR_OK) status = color_by_axis(builder);
     if (status == ZR_OK && has_parts && !fits_memory(builder->arena, builder->scene)) return ZR_NO_MEMORY;
     if (status == ZR_OK && has_parts) status = zr_parts_apply(builder, &faults);
+    if (status == ZR_OK && builder->scene->csg) status = zr_csg_check(builder, &faults);
     if (status == ZR_OK && has_parts) status = zr_parts_check_uncut(builder, &faults);
     if (status == ZR_BAD_SCENE) zr_query_report(request, status, &faults, error);
     return status;
@@ -316,8 +318,7 @@ static enum zr_status keep(const struct zr_run *run, const struct zr_request *re
     const struct zr_keeping keeping = {.into = made, .if_views = if_views};
     struct zr_request first = *request;
     if (request->frames && !if_views) first.bytes = zr_arena_copy(run->arena, request->bytes, request->size);
-    if (!zr_arena_ok(run->arena))
-        return zr_memory_error_add(run->error, run->arena, "the scene", "");
+    if (!zr_arena_ok(run->arena)) return zr_memory_error_add(run->error, run->arena, "the scene", "");
     made->images = images;
     *lasting = *request;
     made->request = lasting;

@@ -161,20 +161,20 @@ static void assert_same_frames(const struct zr_frame *a, const struct zr_frame *
 /* Most faces see-through: mixed, or many of one mode one after the other, which are one draw. */
 static void make_see_through(struct random *random, struct soup *soup, struct test_scene *test)
 {
-    static struct zr_material materials[ZR_ALPHA_COUNT];
+    static struct zr_material materials[ZR_ALPHA_NAMES];
     static uint32_t face_materials[SCENE_TRIANGLES];
-    for (int mode = 0; mode < ZR_ALPHA_COUNT; mode++) {
+    for (int mode = 0; mode < ZR_ALPHA_NAMES; mode++) {
         materials[mode] = test->material;
         materials[mode].alpha_mode = (enum zr_alpha_mode)mode;
         materials[mode].alpha_cutoff = 0.5f;
     }
     const uint32_t run = random_below(random, 2) ? 1 : 200;
     for (uint32_t t = 0; t < soup->count; t++)
-        face_materials[t] = t % run ? face_materials[t - 1] : random_below(random, ZR_ALPHA_COUNT);
+        face_materials[t] = t % run ? face_materials[t - 1] : random_below(random, ZR_ALPHA_NAMES);
     for (uint32_t i = 0; i < 3 * soup->count; i++)
         soup->colors[i].w = real(random, 0, 1);
     test->scene.materials = materials;
-    test->scene.material_count = ZR_ALPHA_COUNT;
+    test->scene.material_count = ZR_ALPHA_NAMES;
     test->mesh.face_materials = face_materials;
 }
 

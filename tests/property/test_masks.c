@@ -212,7 +212,8 @@ static void check_file(const char *path, void *team)
         drawn.views[0].width = width > 200 ? 200 : width;
         drawn.views[0].height = height > 200 ? 200 : height;
     }
-    if (!scene->base && scene->sections.count == 0 && scene->instance_count <= 40) check_scene(path, &drawn, team);
+    if (!scene->base && !scene->csg && scene->sections.count == 0 && scene->instance_count <= 40)
+        check_scene(path, &drawn, team);
     zr_arena_free(&arena);
     free(bytes);
 }

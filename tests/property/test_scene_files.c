@@ -106,7 +106,7 @@ static void check_file(const char *path, void *context)
             assert_same(want, scene_render(&arena, teams->of[isa], &uncolored), true, path,
                         zr_isa_name((enum zr_isa)isa));
         }
-    const bool is_see_through = zr_any_is_see_through(scene.materials, scene.material_count);
+    const bool is_see_through = scene.csg || zr_any_is_see_through(scene.materials, scene.material_count);
     const bool has_xrays = zr_any_is_xray(scene.materials, scene.material_count); /* which the painter has none of */
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
         if (a == ZR_ALGORITHM_PAINTER && is_see_through) continue; /* it is refused */

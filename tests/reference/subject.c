@@ -22,7 +22,7 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                                  .unfilled = drawing->unfilled,
                                                  .outline = drawing->outline,
                                                  .outline_color = {0.25f, 0.5f, 0.125f, 1}};
-    for (int mode = 0; mode < ZR_ALPHA_COUNT; mode++) {
+    for (int mode = 0; mode < ZR_ALPHA_NAMES; mode++) {
         subject->materials[mode] = subject->materials[0];
         subject->materials[mode].alpha_mode = (enum zr_alpha_mode)mode;
         subject->materials[mode].alpha_cutoff = drawing->alpha_cutoff;
@@ -55,7 +55,7 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                        .ambient = drawing->ambient,
                                        .light_count = drawing->light_count,
                                        .lights = drawing->lights,
-                                       .material_count = drawing->see_through ? ZR_ALPHA_COUNT : 1,
+                                       .material_count = drawing->see_through ? ZR_ALPHA_NAMES : 1,
                                        .materials = subject->materials,
                                        .mesh_count = 1,
                                        .meshes = &subject->mesh,

@@ -14,7 +14,7 @@
 struct subject {
     struct zr_scene scene;
     struct zr_picture picture;
-    struct zr_material materials[ZR_ALPHA_COUNT]; /* by alphaMode */
+    struct zr_material materials[ZR_ALPHA_NAMES]; /* by alphaMode */
     struct zr_mesh mesh;
     struct zr_instance instance;
 };

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/query/csg_check.h"
 #include "input/text/nearest.h"
 #include "input/text/text.h"
 #include "scene/parts/part_colors.h"
@@ -393,8 +392,7 @@ enum zr_status zr_parts_apply(struct zr_scene_builder *builder, struct zr_error 
     check_shown(&s, keys, styles);
     check_colors(&s, keys);
     if (error->count > 0) return ZR_BAD_SCENE;
-    const enum zr_status status = edit(&s, &made);
-    return status == ZR_OK && builder->scene->csg ? zr_csg_check(builder, &list, error) : status;
+    return edit(&s, &made);
 }
 
 /* ---- sections ---- */

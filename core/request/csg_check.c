@@ -1,4 +1,4 @@
-#include "input/query/csg_check.h"
+#include "request/csg_check.h"
 
 #include <string.h>
 
@@ -7,6 +7,7 @@
 #include "input/text/text.h"
 #include "mesh/facts/closed_parts.h"
 #include "scene/camera/camera.h"
+#include "scene/parts/part_list.h"
 #include "scene/picture.h"
 
 /* Share of the diagonal of the bounds, as in zr_weld_make: float positions and matrices are no more exact. */
@@ -65,7 +66,7 @@ static bool draw_lines_of_samples(struct zr_scene_builder *builder)
     return true;
 }
 
-enum zr_status zr_csg_check(struct zr_scene_builder *builder, const struct zr_part_list *list, struct zr_error *error)
+enum zr_status zr_csg_check(struct zr_scene_builder *builder, struct zr_error *error)
 {
     struct zr_scene *scene = builder->scene;
     struct zr_arena *arena = builder->arena;
@@ -73,9 +74,10 @@ enum zr_status zr_csg_check(struct zr_scene_builder *builder, const struct zr_pa
         .arena = arena, .scratch = arena, .team = builder->team, .cancel = arena->cancel, .error = error};
     const uint8_t **known = zr_arena_zero(arena, scene->mesh_count, sizeof *known);
     struct zr_csg *csg = zr_arena_copy(arena, scene->csg, sizeof *csg);
-    if (!known || !csg) return ZR_NO_MEMORY;
-    for (uint32_t p = 0; p < list->count; p++) {
-        const struct zr_part *part = &list->at[p];
+    const struct zr_part_list list = zr_part_list_make(arena, scene, UINT32_MAX / 4);
+    if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel)) return ZR_NO_MEMORY;
+    for (uint32_t p = 0; p < list.count; p++) {
+        const struct zr_part *part = &list.at[p];
         if (csg->parts[p] == 0) continue;
         const uint32_t number = scene->instances[part->instance].mesh;
         const char *fault = fault_of_part(builder, &scene->meshes[number], part->number);
