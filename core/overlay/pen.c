@@ -1,0 +1,149 @@
+#include "overlay/pen.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
+
+/* Pixels are drawn in tiles of this side, so that distances fit on the stack. */
+enum { TILE = 16 };
+#define TILE_DIAGONAL_HALF  12.0
+#define PIXEL_DIAGONAL_HALF 0.70711
+
+struct segment {
+    struct zr_point from;
+    double x, y;    /* to its end */
+    double inverse; /* of the squared length; 0: a point */
+};
+
+static struct segment segment_of(const struct zr_path *path, uint32_t begin, uint32_t i)
+{
+    const struct zr_point *a = &path->points[i > begin ? i - 1 : i], *b = &path->points[i];
+    struct segment s = {*a, b->x - a->x, b->y - a->y, 0};
+    const double squared = s.x * s.x + s.y * s.y;
+    if (squared > 0) s.inverse = 1 / squared;
+    return s;
+}
+
+/* From the nearest point of a polyline to the middle of a pixel. */
+struct offset {
+    double squared; /* length */
+    double nx, ny;  /* across the stroke, of any length; 0, 0: at the middle of a dot */
+};
+
+static struct offset offset_from(const struct segment *s, double x, double y)
+{
+    const double px = x - s->from.x, py = y - s->from.y, along = (px * s->x + py * s->y) * s->inverse;
+    const double inside = along < 0 ? 0 : along > 1 ? 1 : along, dx = px - inside * s->x, dy = py - inside * s->y;
+    const struct offset offset = {dx * dx + dy * dy, dx, dy};
+    return along > 0 && along < 1 ? (struct offset){offset.squared, -s->y, s->x} : offset;
+}
+
+struct tile {
+    struct zr_box box;
+    bool is_touched;
+    struct offset offsets[TILE * TILE]; /* by pixel: the least */
+};
+
+static void touch(struct tile *tile, const struct segment *segment)
+{
+    for (int32_t y = 0, i = 0; y < tile->box.height; y++)
+        for (int32_t x = 0; x < tile->box.width; x++, i++) {
+            const struct offset offset = offset_from(segment, tile->box.x + x + 0.5, tile->box.y + y + 0.5);
+            if (!tile->is_touched || offset.squared < tile->offsets[i].squared) tile->offsets[i] = offset;
+        }
+    tile->is_touched = true;
+}
+
+/* Computes the offsets of a tile from the segments that come within `reach`. */
+static void measure(struct tile *tile, const struct zr_path *path, double reach)
+{
+    const double x = tile->box.x + TILE / 2, y = tile->box.y + TILE / 2, far = reach + TILE_DIAGONAL_HALF;
+    uint32_t begin = 0;
+    tile->is_touched = false;
+    for (uint32_t k = 0; k < path->count; begin = path->ends[k++])
+        for (uint32_t i = path->ends[k] - begin > 1 ? begin + 1 : begin; i < path->ends[k]; i++) {
+            const struct segment segment = segment_of(path, begin, i);
+            if (offset_from(&segment, x, y).squared < far * far) touch(tile, &segment);
+        }
+}
+
+/* Returns the area of a pixel on one side of a line: the part whose points p have p . (a, b) < t, from its middle.
+ * (a, b): unit vector with a >= b >= 0. */
+static double side_area(double a, double b, double t)
+{
+    const double far = (a + b) / 2, near = (a - b) / 2, beyond = t < 0 ? far + t : far - t;
+    const double corner = beyond > 0 ? beyond * beyond / (2 * a * b) : 0;
+    if (t >= -near && t <= near) return 0.5 + t / a;
+    return t < 0 ? corner : 1 - corner;
+}
+
+/* Returns the area of a pixel in an endless stroke. */
+static double coverage(struct offset offset, double width)
+{
+    const double distance = sqrt(offset.squared), length = sqrt(offset.nx * offset.nx + offset.ny * offset.ny);
+    const double x = length > 0 ? fabs(offset.nx) / length : 1, y = length > 0 ? fabs(offset.ny) / length : 0;
+    const double a = x > y ? x : y, b = x > y ? y : x;
+    return side_area(a, b, distance + width / 2) - side_area(a, b, distance - width / 2);
+}
+
+static uint32_t blend(uint32_t below, uint32_t color, double covered)
+{
+    uint8_t under[4], over[4];
+    memcpy(under, &below, sizeof under);
+    memcpy(over, &color, sizeof over);
+    const uint32_t alpha = (uint32_t)(covered * over[3] + 0.5), rest = (255 - alpha) * under[3];
+    const uint32_t all = 255 * alpha + rest; /* 255 times the new alpha */
+    if (alpha == 0) return below;
+    for (int c = 0; c < 3; c++)
+        under[c] = (uint8_t)((255 * alpha * over[c] + rest * under[c] + all / 2) / all);
+    under[3] = (uint8_t)((all + 127) / 255);
+    memcpy(&below, under, sizeof below);
+    return below;
+}
+
+static void paint(const struct tile *tile, const struct zr_canvas *canvas, double width, uint32_t color)
+{
+    const double reach = width / 2 + PIXEL_DIAGONAL_HALF;
+    for (int32_t y = 0, i = 0; y < tile->box.height; y++) {
+        uint32_t *row = canvas->pixels + (size_t)(tile->box.y + y) * (size_t)canvas->width + tile->box.x;
+        for (int32_t x = 0; x < tile->box.width; x++, i++)
+            if (tile->offsets[i].squared < reach * reach)
+                row[x] = blend(row[x], color, coverage(tile->offsets[i], width));
+    }
+}
+
+/* Returns a position as a whole number from 0 to `most`. */
+static int32_t clamped(double at, int32_t most)
+{
+    return at <= 0 ? 0 : at >= most ? most : (int32_t)at;
+}
+
+/* Returns the pixels that a path can cover. */
+static struct zr_box bounds(const struct zr_canvas *canvas, const struct zr_path *path, double reach)
+{
+    if (path->count == 0 || path->ends[path->count - 1] == 0) return (struct zr_box){0, 0, 0, 0};
+    struct zr_point low = path->points[0], high = low;
+    for (uint32_t i = 1; i < path->ends[path->count - 1]; i++) {
+        const struct zr_point p = path->points[i];
+        low = (struct zr_point){p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
+        high = (struct zr_point){p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
+    }
+    const int32_t x = clamped(low.x - reach, canvas->width), y = clamped(low.y - reach, canvas->height);
+    return (struct zr_box){x, y, clamped(ceil(high.x + reach), canvas->width) - x,
+                           clamped(ceil(high.y + reach), canvas->height) - y};
+}
+
+void zr_pen_draw(const struct zr_canvas *canvas, const struct zr_path *path, double width, uint32_t color)
+{
+    const double reach = width / 2 + PIXEL_DIAGONAL_HALF;
+    const struct zr_box all = bounds(canvas, path, reach);
+    struct tile tile;
+    for (int32_t y = all.y; y < all.y + all.height; y += TILE)
+        for (int32_t x = all.x; x < all.x + all.width; x += TILE) {
+            tile.box =
+                (struct zr_box){x, y, zr_lesser(TILE, all.x + all.width - x), zr_lesser(TILE, all.y + all.height - y)};
+            measure(&tile, path, reach);
+            if (tile.is_touched) paint(&tile, canvas, width, color);
+        }
+}
