@@ -22,9 +22,11 @@ static const struct zr_letter_row *row_of(uint32_t character)
 
 struct zr_letter zr_letter_find(uint32_t character)
 {
+    enum { ASCII_END = 0x80 };
     /* These look the same; keyboards and files have one or the other. */
     static const uint32_t same[][2] = {{0x3BC, 0xB5}, {0x2126, 0x3A9}, {0x212B, 0xC5},   {0x2011, '-'},
                                        {0x202F, ' '}, {0x2009, ' '},   {0x2205, 0x2300}, {0x22C5, 0xB7}};
+    if (character < ASCII_END) return (struct zr_letter){row_of(character), NULL};
     for (size_t i = 0; i < sizeof same / sizeof *same; i++)
         if (same[i][0] == character) character = same[i][1];
     for (int i = 0; i < ZR_ACCENT_ROWS; i++) {

@@ -8,7 +8,7 @@
 
 /* Units of letters. */
 #define GAP        2.4
-#define WIDTH_MOST 1e6 /* wider texts fit no window */
+#define WIDTH_MOST 2e5 /* wider texts fit no window */
 
 double zr_type_height(int32_t width, int32_t height)
 {
