@@ -29,6 +29,21 @@ void zr_canvas_fill(const struct zr_canvas *canvas, struct zr_box box, uint32_t 
     }
 }
 
+uint32_t zr_canvas_blend(uint32_t below, uint32_t color, double covered)
+{
+    uint8_t under[4], over[4];
+    memcpy(under, &below, sizeof under);
+    memcpy(over, &color, sizeof over);
+    const uint32_t alpha = (uint32_t)(covered * over[3] + 0.5), rest = (255 - alpha) * under[3];
+    const uint32_t all = 255 * alpha + rest; /* 255 times the new alpha */
+    if (alpha == 0) return below;
+    for (int c = 0; c < 3; c++)
+        under[c] = (uint8_t)((255 * alpha * over[c] + rest * under[c] + all / 2) / all);
+    under[3] = (uint8_t)((all + 127) / 255);
+    memcpy(&below, under, sizeof below);
+    return below;
+}
+
 static uint32_t opaque_of(const uint8_t rgb[3])
 {
     const uint8_t bytes[4] = {rgb[0], rgb[1], rgb[2], 255};

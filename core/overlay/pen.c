@@ -3,11 +3,9 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <string.h>
 
-/* Pixels are drawn in tiles of this side, so that distances fit on the stack. */
-enum { TILE = 16 };
-#define TILE_DIAGONAL_HALF  12.0
+/* Pixels are drawn in tiles of this side, so that distances fit on the stack; those of a block, if strokes come near. */
+enum { TILE = 16, BLOCK = 128 };
 #define PIXEL_DIAGONAL_HALF 0.70711
 
 struct segment {
@@ -55,17 +53,25 @@ static void touch(struct tile *tile, const struct segment *segment)
     tile->is_touched = true;
 }
 
-/* Computes the offsets of a tile from the segments that come within `reach`. */
-static void measure(struct tile *tile, const struct zr_path *path, double reach)
+/* Returns the larger half diagonal of boxes of that side. */
+static double half_diagonal(int32_t side)
 {
-    const double x = tile->box.x + TILE / 2, y = tile->box.y + TILE / 2, far = reach + TILE_DIAGONAL_HALF;
+    return 0.75 * side;
+}
+
+/* Returns whether a path comes within `reach` of a box of that side; computes the offsets of `tile`, if there is one. */
+static bool comes_near(const struct zr_path *path, double reach, struct zr_box box, int32_t side, struct tile *tile)
+{
+    const double x = box.x + side / 2, y = box.y + side / 2, far = reach + half_diagonal(side);
     uint32_t begin = 0;
-    tile->is_touched = false;
     for (uint32_t k = 0; k < path->count; begin = path->ends[k++])
         for (uint32_t i = path->ends[k] - begin > 1 ? begin + 1 : begin; i < path->ends[k]; i++) {
             const struct segment segment = segment_of(path, begin, i);
-            if (offset_from(&segment, x, y).squared < far * far) touch(tile, &segment);
+            if (offset_from(&segment, x, y).squared >= far * far) continue;
+            if (!tile) return true;
+            touch(tile, &segment);
         }
+    return tile && tile->is_touched;
 }
 
 /* Returns the area of a pixel on one side of a line: the part whose points p have p . (a, b) < t, from its middle.
@@ -87,21 +93,6 @@ static double coverage(struct offset offset, double width)
     return side_area(a, b, distance + width / 2) - side_area(a, b, distance - width / 2);
 }
 
-static uint32_t blend(uint32_t below, uint32_t color, double covered)
-{
-    uint8_t under[4], over[4];
-    memcpy(under, &below, sizeof under);
-    memcpy(over, &color, sizeof over);
-    const uint32_t alpha = (uint32_t)(covered * over[3] + 0.5), rest = (255 - alpha) * under[3];
-    const uint32_t all = 255 * alpha + rest; /* 255 times the new alpha */
-    if (alpha == 0) return below;
-    for (int c = 0; c < 3; c++)
-        under[c] = (uint8_t)((255 * alpha * over[c] + rest * under[c] + all / 2) / all);
-    under[3] = (uint8_t)((all + 127) / 255);
-    memcpy(&below, under, sizeof below);
-    return below;
-}
-
 static void paint(const struct tile *tile, const struct zr_canvas *canvas, double width, uint32_t color)
 {
     const double reach = width / 2 + PIXEL_DIAGONAL_HALF;
@@ -109,7 +100,7 @@ static void paint(const struct tile *tile, const struct zr_canvas *canvas, doubl
         uint32_t *row = canvas->pixels + (size_t)(tile->box.y + y) * (size_t)canvas->width + tile->box.x;
         for (int32_t x = 0; x < tile->box.width; x++, i++)
             if (tile->offsets[i].squared < reach * reach)
-                row[x] = blend(row[x], color, coverage(tile->offsets[i], width));
+                row[x] = zr_canvas_blend(row[x], color, coverage(tile->offsets[i], width));
     }
 }
 
@@ -134,16 +125,32 @@ static struct zr_box bounds(const struct zr_canvas *canvas, const struct zr_path
                            clamped(ceil(high.y + reach), canvas->height) - y};
 }
 
+/* Returns the part of `all` in the square of that side at (x, y). */
+static struct zr_box square_of(struct zr_box all, int32_t x, int32_t y, int32_t side)
+{
+    return (struct zr_box){x, y, zr_lesser(side, all.x + all.width - x), zr_lesser(side, all.y + all.height - y)};
+}
+
+static void draw_block(const struct zr_canvas *canvas, const struct zr_path *path, double width, uint32_t color,
+                       struct zr_box block)
+{
+    const double reach = width / 2 + PIXEL_DIAGONAL_HALF;
+    struct tile tile;
+    for (int32_t y = block.y; y < block.y + block.height; y += TILE)
+        for (int32_t x = block.x; x < block.x + block.width; x += TILE) {
+            tile.box = square_of(block, x, y, TILE);
+            tile.is_touched = false;
+            if (comes_near(path, reach, tile.box, TILE, &tile)) paint(&tile, canvas, width, color);
+        }
+}
+
 void zr_pen_draw(const struct zr_canvas *canvas, const struct zr_path *path, double width, uint32_t color)
 {
     const double reach = width / 2 + PIXEL_DIAGONAL_HALF;
     const struct zr_box all = bounds(canvas, path, reach);
-    struct tile tile;
-    for (int32_t y = all.y; y < all.y + all.height; y += TILE)
-        for (int32_t x = all.x; x < all.x + all.width; x += TILE) {
-            tile.box =
-                (struct zr_box){x, y, zr_lesser(TILE, all.x + all.width - x), zr_lesser(TILE, all.y + all.height - y)};
-            measure(&tile, path, reach);
-            if (tile.is_touched) paint(&tile, canvas, width, color);
+    for (int32_t y = all.y; y < all.y + all.height; y += BLOCK)
+        for (int32_t x = all.x; x < all.x + all.width; x += BLOCK) {
+            const struct zr_box block = square_of(all, x, y, BLOCK);
+            if (comes_near(path, reach, block, BLOCK, NULL)) draw_block(canvas, path, width, color, block);
         }
 }

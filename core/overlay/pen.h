@@ -4,7 +4,7 @@
  * Coverage: the area of a pixel in an endless straight stroke that has the place and direction of the polyline at its
  *           point nearest to the middle of the pixel. So it is exact but for ends, joins and bends. Strokes of one path
  *           are one shape: where they cross or touch, the nearest one counts.
- * Blend:    the colour over the pixel, in encoded bytes with straight alpha, rounded to the nearest.
+ * Blend:    that of zr_canvas_blend.
  * Exact:    doubles with + - * / and square roots only, in a fixed order. */
 #ifndef ZR_PEN_H
 #define ZR_PEN_H
