@@ -1,5 +1,6 @@
 #include "overlay/canvas.h"
 
+#include <math.h>
 #include <string.h>
 
 static struct zr_box between(int32_t x0, int32_t y0, int32_t x1, int32_t y1)
@@ -17,6 +18,26 @@ struct zr_box zr_canvas_clip(const struct zr_canvas *canvas, struct zr_box box)
 {
     return between(zr_greater(box.x, 0), zr_greater(box.y, 0), zr_lesser(box.x + box.width, canvas->width),
                    zr_lesser(box.y + box.height, canvas->height));
+}
+
+/* Returns a position as a whole number from 0 to `most`. */
+static int32_t clamped(double at, int32_t most)
+{
+    return at <= 0 ? 0 : at >= most ? most : (int32_t)at;
+}
+
+struct zr_box zr_canvas_bounds(const struct zr_canvas *canvas, const struct zr_point *points, uint32_t count,
+                               double reach)
+{
+    if (count == 0) return between(0, 0, 0, 0);
+    struct zr_point low = points[0], high = low;
+    for (uint32_t i = 1; i < count; i++) {
+        const struct zr_point p = points[i];
+        low = (struct zr_point){p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
+        high = (struct zr_point){p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
+    }
+    return between(clamped(low.x - reach, canvas->width), clamped(low.y - reach, canvas->height),
+                   clamped(ceil(high.x + reach), canvas->width), clamped(ceil(high.y + reach), canvas->height));
 }
 
 void zr_canvas_fill(const struct zr_canvas *canvas, struct zr_box box, uint32_t color)

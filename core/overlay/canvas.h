@@ -6,6 +6,8 @@
 
 #include <stdint.h>
 
+#include "overlay/path.h"
+
 struct zr_canvas {
     uint32_t *pixels; /* RGBA in memory, row 0 on top */
     int32_t width, height;
@@ -36,6 +38,10 @@ struct zr_box zr_box_join(struct zr_box a, struct zr_box b);
 
 /* Returns the part of the box that lies in the canvas; of width or height 0 if it is empty. */
 struct zr_box zr_canvas_clip(const struct zr_canvas *canvas, struct zr_box box);
+
+/* Returns the pixels within `reach` of points, in the canvas; none of no points. */
+struct zr_box zr_canvas_bounds(const struct zr_canvas *canvas, const struct zr_point *points, uint32_t count,
+                               double reach);
 
 /* Fills the box's part in the canvas with a colour, four bytes as base/rgba.h makes them. */
 void zr_canvas_fill(const struct zr_canvas *canvas, struct zr_box box, uint32_t color);

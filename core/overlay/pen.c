@@ -4,7 +4,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Pixels are drawn in tiles of this side, so that distances fit on the stack; those of a block, if strokes come near. */
+/* Pixels are drawn in tiles of this side, so that distances fit on the stack, and blocks far from all strokes are passed
+ * over. */
 enum { TILE = 16, BLOCK = 128 };
 #define PIXEL_DIAGONAL_HALF 0.70711
 
@@ -59,7 +60,7 @@ static double half_diagonal(int32_t side)
     return 0.75 * side;
 }
 
-/* Returns whether a path comes within `reach` of a box of that side; computes the offsets of `tile`, if there is one. */
+/* Returns whether a path may come within `reach` of a box of that side. If there is a tile, computes its offsets. */
 static bool comes_near(const struct zr_path *path, double reach, struct zr_box box, int32_t side, struct tile *tile)
 {
     const double x = box.x + side / 2, y = box.y + side / 2, far = reach + half_diagonal(side);
@@ -104,27 +105,6 @@ static void paint(const struct tile *tile, const struct zr_canvas *canvas, doubl
     }
 }
 
-/* Returns a position as a whole number from 0 to `most`. */
-static int32_t clamped(double at, int32_t most)
-{
-    return at <= 0 ? 0 : at >= most ? most : (int32_t)at;
-}
-
-/* Returns the pixels that a path can cover. */
-static struct zr_box bounds(const struct zr_canvas *canvas, const struct zr_path *path, double reach)
-{
-    if (path->count == 0 || path->ends[path->count - 1] == 0) return (struct zr_box){0, 0, 0, 0};
-    struct zr_point low = path->points[0], high = low;
-    for (uint32_t i = 1; i < path->ends[path->count - 1]; i++) {
-        const struct zr_point p = path->points[i];
-        low = (struct zr_point){p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
-        high = (struct zr_point){p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
-    }
-    const int32_t x = clamped(low.x - reach, canvas->width), y = clamped(low.y - reach, canvas->height);
-    return (struct zr_box){x, y, clamped(ceil(high.x + reach), canvas->width) - x,
-                           clamped(ceil(high.y + reach), canvas->height) - y};
-}
-
 /* Returns the part of `all` in the square of that side at (x, y). */
 static struct zr_box square_of(struct zr_box all, int32_t x, int32_t y, int32_t side)
 {
@@ -147,7 +127,8 @@ static void draw_block(const struct zr_canvas *canvas, const struct zr_path *pat
 void zr_pen_draw(const struct zr_canvas *canvas, const struct zr_path *path, double width, uint32_t color)
 {
     const double reach = width / 2 + PIXEL_DIAGONAL_HALF;
-    const struct zr_box all = bounds(canvas, path, reach);
+    const uint32_t count = path->count > 0 ? path->ends[path->count - 1] : 0;
+    const struct zr_box all = zr_canvas_bounds(canvas, path->points, count, reach);
     for (int32_t y = all.y; y < all.y + all.height; y += BLOCK)
         for (int32_t x = all.x; x < all.x + all.width; x += BLOCK) {
             const struct zr_box block = square_of(all, x, y, BLOCK);

@@ -13,8 +13,8 @@
 /* Below this height, pixels, letters are hard to read. */
 #define ZR_TYPE_LEAST 7.0
 
-/* Returns the usual height in a picture of these sides: 11 at 480 pixels, growing with the power 3/4 of the shorter one;
- * whole pixels, so that base lines and capitals are sharp. */
+/* Returns the usual height in a picture of these sides: 11 at 480 pixels, growing with the power 3/4 of the shorter
+ * side; whole pixels, so that base lines and capitals are sharp. */
 double zr_type_height(int32_t width, int32_t height);
 
 /* Returns the width of the pen for a height: 0.12 of it, at least a pixel. */
