@@ -32,8 +32,8 @@ static inline bool zr_letter_is_known(struct zr_letter letter)
     return letter.base != &zr_letter_rows[ZR_LETTER_NONE];
 }
 
-/* Polylines of a letter; the longest have 124 points and 8 polylines. */
-enum { ZR_LETTER_POINTS = 160, ZR_LETTER_LINES = 12 };
+/* Polylines of a letter; the largest have 62 points, or 5 polylines. */
+enum { ZR_LETTER_POINTS = 80, ZR_LETTER_LINES = 8 };
 
 struct zr_letter_path {
     uint32_t count;

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Pixels are drawn in tiles of this side, so that distances fit on the stack, and blocks far from all strokes are passed
+/* Pixels are drawn in tiles of this side, so that distances fit on the stack. Blocks far from all strokes are passed
  * over. */
 enum { TILE = 16, BLOCK = 128 };
 #define PIXEL_DIAGONAL_HALF 0.70711
