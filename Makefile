@@ -319,6 +319,12 @@ mcp-peers: ## clients of MCP by others on the daemon and the command, and their 
 	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/mcp-peers $(MCP_PACKAGES)
 	@tests/peers/mcp.sh $(BUILD) $(BUILD)/mcp-peers
 
+.PHONY: read-labels
+read-labels: ## tesseract reads 200 dimension labels in the letters of captions, 8 to 22 pixels high
+	@.ci/need $(NEED_BUILD) tesseract=tesseract-ocr /usr/share/doc/tesseract-ocr-script-latn=tesseract-ocr-script-latn
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster-labels
+	@tests/peers/labels.sh $(BUILD)
+
 .PHONY: gltf-variants
 gltf-variants: ## models beside their sparse, meshopt, quantized, WebP and Draco variants by gltf-transform (npm): FILES="DIR..."
 	@.ci/need $(NEED_BUILD) $(NEED_NODE) /usr/lib/python3/dist-packages/numpy=python3-numpy
@@ -568,7 +574,7 @@ checks: checks-alone $(verify) mutants
 checks-alone: all fuzzers $(unit_tests) $(server_tests) $(BUILD)/zraster-tables $(BUILD)/zraster-reference $(BUILD)/failing_malloc.so
 
 .PHONY: tests
-tests: checks $(BUILD)/zraster-bench $(bench_alone)
+tests: checks $(BUILD)/zraster-bench $(bench_alone) $(BUILD)/zraster-labels
 
 .PHONY: needs
 needs:
@@ -720,6 +726,9 @@ $(BUILD)/zraster-cross: $(cross) $(renderer)
 
 $(BUILD)/zraster-same: $(BUILD)/tests/cross/same.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
+
+$(BUILD)/zraster-labels: $(BUILD)/tests/peers/labels.o $(BUILD)/libcore.a
+	$(LINK) $(CORE_LIBS)
 
 $(BUILD)/zraster-tables: $(BUILD)/tests/make/tables.o $(BUILD)/libcore.a
 	$(LINK) $(CORE_LIBS)

@@ -204,6 +204,7 @@ for part in "$@"; do
     pictures)
         run gallery tests/clients/test_gallery.sh "$build"
         run pictures tests/clients/test_pictures.sh "$build"
+        run labels tests/peers/labels.sh "$build"
         # Without the models it compares pictures of meshes of its own.
         run bench-pictures "ZRASTERD=$build/zrasterd" "$build/zraster-bench" --check-only --models "$data/models"
         ;;

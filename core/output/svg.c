@@ -1,9 +1,7 @@
 #include "output/svg.h"
 
-#include <stdarg.h>
-#include <stdio.h>
-
-enum { TEXT_MOST = 512, DECIMALS_MOST = 40 };
+#include "output/svg_marks.h"
+#include "output/svg_print.h"
 
 /* Dashes and gaps of hidden lines, in units of their width, as of strokes (lines/strokes.h). */
 static const double dash = 8.0, gap = 5.0;
@@ -20,42 +18,11 @@ double zr_iso_line_width(double width)
     return series[i];
 }
 
-__attribute__((format(printf, 2, 3))) static void print(struct zr_buffer *out, const char *format, ...)
-{
-    char text[TEXT_MOST];
-    va_list values;
-    va_start(values, format);
-    const int length = vsnprintf(text, sizeof text, format, values);
-    va_end(values);
-    if (length > 0 && length < TEXT_MOST) zr_buffer_add(out, text, (size_t)length);
-}
-
-/* Returns the decimals that a hundredth of a pixel needs. */
-static int decimals_of(double pixel)
-{
-    int decimals = 0;
-    for (double step = 0.01 * pixel; step < 0.9999 && decimals < DECIMALS_MOST; step *= 10.0)
-        decimals++;
-    return decimals;
-}
-
-/* Prints a coordinate; never "-0.00". */
-static void print_number(struct zr_buffer *out, double value, int decimals)
-{
-    char text[64];
-    const int length = snprintf(text, sizeof text, "%.*f", decimals, value);
-    bool is_zero = true;
-    for (int i = 0; i < length; i++)
-        is_zero = is_zero && (text[i] == '-' || text[i] == '0' || text[i] == '.');
-    const int skipped = text[0] == '-' && is_zero ? 1 : 0;
-    if (length < (int)sizeof text) zr_buffer_add(out, text + skipped, (size_t)(length - skipped));
-}
-
 static void print_point(const struct zr_svg_desc *desc, struct zr_buffer *out, const double point[2], int decimals)
 {
-    print_number(out, point[0] * desc->pixel, decimals);
+    zr_svg_print_number(out, point[0] * desc->pixel, decimals);
     zr_buffer_add(out, " ", 1);
-    print_number(out, ((double)desc->height - point[1]) * desc->pixel, decimals);
+    zr_svg_print_number(out, ((double)desc->height - point[1]) * desc->pixel, decimals);
 }
 
 static void print_path(const struct zr_svg_desc *desc, struct zr_buffer *out, const struct zr_polyline *line)
@@ -63,31 +30,13 @@ static void print_path(const struct zr_svg_desc *desc, struct zr_buffer *out, co
     const double(*points)[2] = (const double(*)[2])desc->lines->points + line->first;
     const double *last = points[line->count - 1];
     const bool is_ring = line->count > 3 && points[0][0] == last[0] && points[0][1] == last[1];
-    const int decimals = decimals_of(desc->pixel);
+    const int decimals = zr_svg_decimals(desc->pixel);
     zr_buffer_add(out, "<path d=\"M", 10);
     for (uint32_t i = 0; i < line->count - is_ring; i++) {
         if (i > 0) zr_buffer_add(out, "L", 1);
         print_point(desc, out, points[i], decimals);
     }
-    print(out, is_ring ? "Z\"/>\n" : "\"/>\n");
-}
-
-/* Prints a value of an attribute. Characters that XML does not allow become "?". */
-static void print_escaped(struct zr_buffer *out, const char *text)
-{
-    for (const char *at = text; *at; at++) {
-        const bool is_none =
-            (unsigned char)*at < 0x20 || (memcmp(at, "\xef\xbf", 2) == 0 && (unsigned char)at[2] > 0xbd);
-        if (*at == '&')
-            print(out, "&amp;");
-        else if (*at == '<')
-            print(out, "&lt;");
-        else if (*at == '"')
-            print(out, "&quot;");
-        else
-            zr_buffer_add(out, is_none ? "?" : at, 1);
-        if (is_none && (unsigned char)*at >= 0x20) at += 2;
-    }
+    zr_svg_print(out, is_ring ? "Z\"/>\n" : "\"/>\n");
 }
 
 static unsigned byte_of(float value)
@@ -99,10 +48,10 @@ static void begin_class(const struct zr_svg_desc *desc, struct zr_buffer *out, e
 {
     static const char *const names[ZR_STROKE_CLASSES] = {"outline", "inner", "hidden"};
     const double width = desc->widths[class];
-    print(out, "<g class=\"%s\" stroke-width=\"%.6g\"", names[class], width);
+    zr_svg_print(out, "<g class=\"%s\" stroke-width=\"%.6g\"", names[class], width);
     if (class == ZR_STROKE_HIDDEN)
-        print(out, " stroke-opacity=\"0.5\" stroke-dasharray=\"%.6g %.6g\"", dash * width, gap * width);
-    print(out, ">\n");
+        zr_svg_print(out, " stroke-opacity=\"0.5\" stroke-dasharray=\"%.6g %.6g\"", dash * width, gap * width);
+    zr_svg_print(out, ">\n");
 }
 
 /* ---- polylines by part and class: a counting sort ---- */
@@ -137,15 +86,15 @@ static void print_lines(const struct zr_svg_desc *desc, struct zr_buffer *out, c
         const bool begins = begins_part || key_of(desc, sorted[i - 1]) != key_of(desc, line);
         const bool ends = ends_part || key_of(desc, sorted[i + 1]) != key_of(desc, line);
         if (begins_part) {
-            print(out, "<g id=\"part-%u\"", part);
-            if (*desc->part_names[part]) print(out, " data-name=\"");
-            print_escaped(out, desc->part_names[part]);
-            print(out, *desc->part_names[part] ? "\">\n" : ">\n");
+            zr_svg_print(out, "<g id=\"part-%u\"", part);
+            if (*desc->part_names[part]) zr_svg_print(out, " data-name=\"");
+            zr_svg_print_escaped(out, desc->part_names[part]);
+            zr_svg_print(out, *desc->part_names[part] ? "\">\n" : ">\n");
         }
         if (begins) begin_class(desc, out, desc->lines->at[line].class);
         print_path(desc, out, &desc->lines->at[line]);
-        if (ends) print(out, "</g>\n");
-        if (ends_part) print(out, "</g>\n");
+        if (ends) zr_svg_print(out, "</g>\n");
+        if (ends_part) zr_svg_print(out, "</g>\n");
     }
 }
 
@@ -153,7 +102,8 @@ static void print_lines(const struct zr_svg_desc *desc, struct zr_buffer *out, c
 static void print_paper(struct zr_buffer *out, const zr_vec3 *paper)
 {
     if (paper)
-        print(out, " style=\"background:#%02x%02x%02x\"", byte_of(paper->x), byte_of(paper->y), byte_of(paper->z));
+        zr_svg_print(out, " style=\"background:#%02x%02x%02x\"", byte_of(paper->x), byte_of(paper->y),
+                     byte_of(paper->z));
 }
 
 bool zr_svg_encode(const struct zr_svg_desc *desc, struct zr_buffer *out)
@@ -161,14 +111,16 @@ bool zr_svg_encode(const struct zr_svg_desc *desc, struct zr_buffer *out)
     const double width = (double)desc->width * desc->pixel, height = (double)desc->height * desc->pixel;
     const uint32_t *sorted = sort_lines(desc, out->arena);
     if (!sorted) return false;
-    print(out,
-          "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.7g%s\" height=\"%.7g%s\" viewBox=\"0 0 %.7g %.7g\" "
-          "fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
-          *desc->unit ? width : (double)desc->width, desc->unit, *desc->unit ? height : (double)desc->height,
-          desc->unit, width, height, byte_of(desc->color.x), byte_of(desc->color.y), byte_of(desc->color.z));
+    zr_svg_print(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.7g%s\" height=\"%.7g%s\" viewBox=\"0 0 %.7g %.7g\" "
+        "fill=\"none\" stroke=\"#%02x%02x%02x\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
+        *desc->unit ? width : (double)desc->width, desc->unit, *desc->unit ? height : (double)desc->height, desc->unit,
+        width, height, byte_of(desc->color.x), byte_of(desc->color.y), byte_of(desc->color.z));
     print_paper(out, desc->paper);
-    print(out, ">\n");
+    zr_svg_print(out, ">\n");
     print_lines(desc, out, sorted);
-    print(out, "</svg>\n");
+    if (desc->marks) zr_svg_print_marks(out, desc->marks, desc->pixel);
+    zr_svg_print(out, "</svg>\n");
     return zr_arena_ok(out->arena);
 }

@@ -1,14 +1,16 @@
-/* svg.h - output: the polylines of a drawing as SVG, without text.
+/* svg.h - output: the polylines of a drawing as SVG, and marks above them.
  *
  * Space:  units of the output, y down; the point (0, 0) is the top left corner of the window.
  * Form:   a group per part, with its name as data-name; in it, a group per class of lines: hidden, inner, outline. A
- *         path per polyline. Rings are closed. Coordinates have as many decimals as a hundredth of a pixel needs.
+ *         path per polyline. Rings are closed. The marks come last, as svg_marks.h has them. Coordinates have as many
+ *         decimals as a hundredth of a pixel needs.
  * Exact:  the same bytes for every machine, LC_NUMERIC being "C". */
 #ifndef ZR_SVG_H
 #define ZR_SVG_H
 
 #include "lines/polylines.h"
 #include "output/bytes/buffer.h"
+#include "overlay/marks.h"
 
 struct zr_svg_desc {
     const struct zr_polylines *lines;
@@ -21,6 +23,7 @@ struct zr_svg_desc {
     double widths[ZR_STROKE_CLASSES]; /* of lines, in units of the output */
     zr_vec3 color;                    /* sRGB-encoded, 0..1 */
     const zr_vec3 *paper;             /* colour behind the lines, likewise; NULL: none */
+    const struct zr_marks *marks;     /* NULL: none */
 };
 
 /* Appends the file. Returns false if the arena failed. */

@@ -1,5 +1,6 @@
 #include "overlay/canvas.h"
 
+#include <math.h>
 #include <string.h>
 
 static struct zr_box between(int32_t x0, int32_t y0, int32_t x1, int32_t y1)
@@ -19,6 +20,26 @@ struct zr_box zr_canvas_clip(const struct zr_canvas *canvas, struct zr_box box)
                    zr_lesser(box.y + box.height, canvas->height));
 }
 
+/* Returns a position as a whole number from 0 to `most`. */
+static int32_t clamped(double at, int32_t most)
+{
+    return at <= 0 ? 0 : at >= most ? most : (int32_t)at;
+}
+
+struct zr_box zr_canvas_bounds(const struct zr_canvas *canvas, const struct zr_point *points, uint32_t count,
+                               double reach)
+{
+    if (count == 0) return between(0, 0, 0, 0);
+    struct zr_point low = points[0], high = low;
+    for (uint32_t i = 1; i < count; i++) {
+        const struct zr_point p = points[i];
+        low = (struct zr_point){p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
+        high = (struct zr_point){p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
+    }
+    return between(clamped(low.x - reach, canvas->width), clamped(low.y - reach, canvas->height),
+                   clamped(ceil(high.x + reach), canvas->width), clamped(ceil(high.y + reach), canvas->height));
+}
+
 void zr_canvas_fill(const struct zr_canvas *canvas, struct zr_box box, uint32_t color)
 {
     const struct zr_box in = zr_canvas_clip(canvas, box);
@@ -27,6 +48,21 @@ void zr_canvas_fill(const struct zr_canvas *canvas, struct zr_box box, uint32_t 
         for (int32_t x = in.x; x < in.x + in.width; x++)
             row[x] = color;
     }
+}
+
+uint32_t zr_canvas_blend(uint32_t below, uint32_t color, double covered)
+{
+    uint8_t under[4], over[4];
+    memcpy(under, &below, sizeof under);
+    memcpy(over, &color, sizeof over);
+    const uint32_t alpha = (uint32_t)(covered * over[3] + 0.5), rest = (255 - alpha) * under[3];
+    const uint32_t all = 255 * alpha + rest; /* 255 times the new alpha */
+    if (alpha == 0) return below;
+    for (int c = 0; c < 3; c++)
+        under[c] = (uint8_t)((255 * alpha * over[c] + rest * under[c] + all / 2) / all);
+    under[3] = (uint8_t)((all + 127) / 255);
+    memcpy(&below, under, sizeof below);
+    return below;
 }
 
 static uint32_t opaque_of(const uint8_t rgb[3])

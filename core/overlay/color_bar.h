@@ -23,17 +23,18 @@ const struct zr_color_scale *zr_color_bar_scale(const struct zr_scene *scene);
 /* Positions and sizes of the parts, in pixels. */
 struct zr_color_bar_layout {
     const struct zr_color_scale *scale;
-    int32_t dot;         /* size of a dot of glyphs; the unit of all other sizes */
+    int32_t letters;     /* height of capitals in labels; all other sizes are shares of it */
     int32_t line;        /* thickness of frame and ticks */
+    int32_t halo;        /* width of outlines */
     struct zr_box bar;   /* the colours, without the frame */
     struct zr_box block; /* frame, ticks and labels */
     struct zr_box all;   /* block, title and outlines; inside the window */
     int32_t tick_x;      /* left end of ticks */
     int32_t tick_width;
-    int32_t label_x; /* left end of labels */
+    int32_t label_x; /* left end of labels' ink */
     struct zr_ticks ticks;
-    const char *title;                   /* NULL: none, or no room for it */
-    int32_t title_x, title_y, title_dot; /* upper left corner; size of a dot */
+    const char *title;                       /* NULL: none, or no room for it */
+    int32_t title_x, title_y, title_letters; /* left end of ink; base line's row; height of capitals */
 };
 
 /* Places the parts in a window of width x height pixels. False if the window has no room: labels would be less than 7

@@ -1,7 +1,8 @@
 /* sheet_layout.h - views: places of views and captions on a sheet.
  *
  * Space:  pixels of the sheet, (0, 0) at the top left corner. A view is drawn into its box pixel by pixel.
- * Sizes:  gutters and captions grow with the sheet, as the colour bar does. */
+ * Sizes:  gutters and captions grow with the sheet, as the colour bar does. Captions are lower if views are narrow, so
+ *         that some 32 letters have room. */
 #ifndef ZR_SHEET_LAYOUT_H
 #define ZR_SHEET_LAYOUT_H
 
@@ -12,7 +13,7 @@ struct zr_sheet_layout {
     uint32_t columns, rows;
     int32_t width, height; /* of a view */
     int32_t gutter;        /* around each view */
-    int32_t dot;           /* size of a dot of glyphs */
+    int32_t letters;       /* height of capitals */
     int32_t caption;       /* height of a caption; 0: none */
 };
 

@@ -6,7 +6,6 @@
 #include "base/rgba.h"
 #include "output/images/png.h"
 #include "output/npy.h"
-#include "overlay/glyphs.h"
 #include "support/pictures/png.h"
 #include "support/scenes.h"
 #include "support/tests.h"
