@@ -1,0 +1,188 @@
+/* compare_models.c - client: `zraster compare a.stl b.stl`: the numbers of two models as lines. */
+#include <cjson/cJSON.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands/compare.h"
+#include "engine/engine.h"
+#include "engine/interruption.h"
+#include "engine/report.h"
+#include "files/input.h"
+#include "files/neighbours.h"
+#include "files/say.h"
+#include "options/wording.h"
+
+enum { COLUMN = 18 };
+
+/* ---- reading ---- */
+
+/* Reads a model. Returns 0, or the exit status of a fault that is reported. */
+static int read_model(const struct engine *engine, const struct options *options, const char *path,
+                      zraster_scene **scene)
+{
+    struct input input;
+    struct bytes faults = {.data = NULL};
+    zraster_error *error = NULL;
+    int status = 0;
+    if (!input_read(&input, path, options, &faults) || !neighbours_read(&input, options->own[OPTION_ROOT], &faults))
+        status = interrupted() ? STATUS_INTERRUPTED : input.is_usage ? STATUS_USAGE : STATUS_FAILED;
+    else {
+        struct zraster_part parts[INPUT_PARTS_MAX];
+        const struct zraster_request request = {.struct_size = sizeof request,
+                                                .body = input.body.data,
+                                                .body_size = input.body.size,
+                                                .type = input.is_known ? input.type : NULL,
+                                                .parts = parts,
+                                                .part_count = input_parts(&input, parts),
+                                                .cancel = engine->cancel};
+        if (zraster_scene_read(engine->renderer, &request, scene, &error) != ZRASTER_OK) {
+            bytes_print(&faults, "%s", zraster_error_text(error));
+            wording_translate(&faults, &input, options);
+            status = interrupted() ? STATUS_INTERRUPTED : STATUS_FAILED;
+        }
+    }
+    if (status != 0 && status != STATUS_INTERRUPTED) report_faults(stderr, path, &faults);
+    input_free(&input);
+    bytes_free(&faults);
+    zraster_error_free(error);
+    return status;
+}
+
+/* ---- printing ---- */
+
+static const cJSON *member(const cJSON *object, const char *key)
+{
+    return cJSON_GetObjectItem(object, key);
+}
+
+/* Formats a value for a cell; "-" if there is none. */
+static void format(const cJSON *value, char text[64])
+{
+    if (cJSON_IsNumber(value))
+        snprintf(text, 64, value->valuedouble == (double)(long)value->valuedouble ? "%.0f" : "%.6g",
+                 value->valuedouble);
+    else
+        snprintf(text, 64, "%s", cJSON_IsTrue(value) ? "yes" : cJSON_IsFalse(value) ? "no" : "-");
+}
+
+static void print_row(const char *name, const cJSON *a, const cJSON *b)
+{
+    char first[64], second[64];
+    format(a, first);
+    format(b, second);
+    printf("%-*s %*s %*s\n", COLUMN, name, COLUMN, first, COLUMN, second);
+}
+
+static void format_size(const cJSON *box, char text[64])
+{
+    const cJSON *min = member(box, "min"), *max = member(box, "max");
+    double sides[3] = {0, 0, 0};
+    for (int k = 0; k < 3; k++) {
+        const cJSON *low = cJSON_GetArrayItem(min, k), *high = cJSON_GetArrayItem(max, k);
+        if (low && high) sides[k] = high->valuedouble - low->valuedouble;
+    }
+    snprintf(text, 64, "%.4g x %.4g x %.4g", sides[0], sides[1], sides[2]);
+}
+
+static void print_solids(const cJSON *a, const cJSON *b)
+{
+    static const char *const rows[] = {"triangles", "volume", "area", "closed", "solids", "cavities", "handles"};
+    char first[64], second[64];
+    printf("\n%-*s %*s %*s\n", COLUMN, "", COLUMN, "a", COLUMN, "b");
+    format_size(member(a, "box"), first);
+    format_size(member(b, "box"), second);
+    printf("%-*s %*s %*s\n", COLUMN, "size", COLUMN, first, COLUMN, second);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (member(a, rows[i]) || member(b, rows[i])) print_row(rows[i], member(a, rows[i]), member(b, rows[i]));
+}
+
+static void print_deviations(const cJSON *deviation)
+{
+    static const char *const rows[] = {"mean", "abs", "rms", "p95", "max"};
+    const cJSON *a = member(deviation, "aToB"), *b = member(deviation, "bToA");
+    char text[64];
+    if (!deviation) return;
+    printf("\n%-*s %*s %*s\n", COLUMN, "deviation", COLUMN, "a to b", COLUMN, "b to a");
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (member(a, rows[i])) print_row(rows[i], member(a, rows[i]), member(b, rows[i]));
+    format(member(deviation, "hausdorff"), text);
+    printf("\nhausdorff %s", text);
+    format(member(deviation, "chamfer"), text);
+    printf(", chamfer %s", text);
+    format(member(member(deviation, "f1"), "value"), text);
+    printf(", f1 %s", text);
+    format(member(deviation, "normalConsistency"), text);
+    printf(", normal consistency %s\n", text);
+}
+
+static void print_volumes(const cJSON *volume)
+{
+    char both[64], a[64], b[64];
+    if (!volume) return;
+    format(member(volume, "both"), both);
+    format(member(volume, "onlyA"), a);
+    format(member(volume, "onlyB"), b);
+    printf("\nvolume of both %s, only a %s, only b %s\n", both, a, b);
+}
+
+static void print_all(const struct options *options, const cJSON *all)
+{
+    const cJSON *summary = member(all, "summary"), *warning;
+    if (cJSON_IsString(summary)) puts(summary->valuestring);
+    print_solids(member(all, "a"), member(all, "b"));
+    print_volumes(member(all, "volume"));
+    print_deviations(member(all, "deviation"));
+    fflush(stdout);
+    if (options->own[OPTION_QUIET]) return;
+    cJSON_ArrayForEach(warning, member(all, "warnings")) if (cJSON_IsString(warning)) say("%s", warning->valuestring);
+}
+
+/* ---- comparing ---- */
+
+static int compare(const struct engine *engine, const struct options *options, const zraster_scene *a,
+                   const zraster_scene *b)
+{
+    struct bytes query = {.data = NULL};
+    zraster_comparison *comparison = NULL;
+    zraster_error *error = NULL;
+    int status = STATUS_FAILED;
+    if (options->own[OPTION_TOLERANCE]) bytes_print(&query, "tolerance=%s", options->own[OPTION_TOLERANCE]);
+    const zraster_status result = zraster_compare(a, b, bytes_text(&query), engine->cancel, &comparison, &error);
+    if (interrupted())
+        status = STATUS_INTERRUPTED;
+    else if (result == ZRASTER_OK) {
+        const char *json = zraster_comparison_json(comparison);
+        cJSON *all = options->own[OPTION_JSON] ? NULL : cJSON_Parse(json);
+        if (all)
+            print_all(options, all);
+        else
+            fputs(json, stdout);
+        cJSON_Delete(all);
+        status = zraster_comparison_same(comparison) ? STATUS_DONE : STATUS_DIFFERENT;
+    } else if (result == ZRASTER_BAD_REQUEST)
+        status = options_wrong("--%s", zraster_error_text(error));
+    else
+        say("%s", zraster_error_text(error));
+    bytes_free(&query);
+    zraster_comparison_free(comparison);
+    zraster_error_free(error);
+    return status;
+}
+
+int compare_models(const struct options *options)
+{
+    struct engine engine;
+    zraster_scene *scenes[2] = {NULL, NULL};
+    struct options here = *options;
+    here.own[OPTION_SERVER] = NULL; /* $ZRASTER_SERVER draws, and does not compare */
+    int status = engine_open(&engine, &here, options_threads(options), 1);
+    if (status != 0) return status;
+    for (int i = 0; i < 2 && status == 0; i++)
+        status = read_model(&engine, options, options->files[i], &scenes[i]);
+    if (status == 0) status = compare(&engine, options, scenes[0], scenes[1]);
+    for (int i = 0; i < 2; i++)
+        zraster_scene_free(scenes[i]);
+    engine_close(&engine);
+    return status;
+}

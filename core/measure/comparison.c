@@ -1,0 +1,97 @@
+#include "measure/comparison.h"
+
+#include "base/arena.h"
+#include "base/cancel.h"
+#include "base/status.h"
+
+enum { QUICK_RAYS = 128, QUICK_POINTS = 10000 };
+
+static const char sides[2][2] = {"a", "b"};
+
+static void warn(const struct zr_run *run, struct zr_comparison *c)
+{
+    const struct zr_solid *solids[2] = {&c->a, &c->b};
+    const struct zr_own_volume *volumes[2] = {&c->volumes.a, &c->volumes.b};
+    for (int i = 0; i < 2; i++) {
+        if (!solids[i]->is_closed)
+            zr_warning_list_add(run->arena, &c->warnings,
+                                "%s is not closed (%u open edges): volumes, IoU and signs of distances need closed "
+                                "surfaces and are left out",
+                                sides[i], solids[i]->odd_edges);
+        if (!c->has_volumes) continue;
+        if (volumes[i]->has_overlap)
+            zr_warning_list_add(run->arena, &c->warnings, "shells of %s overlap; its volume counts the overlap once",
+                                sides[i]);
+        if (volumes[i]->is_inside_out)
+            zr_warning_list_add(run->arena, &c->warnings, "the faces of %s look inwards; it is compared turned round",
+                                sides[i]);
+    }
+    if (!c->has_deviation)
+        zr_warning_list_add(run->arena, &c->warnings,
+                            "distances are left out: too many triangles overlap to search them");
+}
+
+static void find_distances(const struct zr_comparison_options *options, struct zr_comparison *c)
+{
+    const struct zr_deviation *a = &c->a_to_b, *b = &c->b_to_a;
+    c->has_deviation = !a->is_omitted && !b->is_omitted;
+    c->tolerance = options->tolerance >= 0.0 ? options->tolerance : ZR_COMPARISON_SAME * c->a.diagonal;
+    c->is_same = c->has_volumes && c->volumes.only_a == 0.0 && c->volumes.only_b == 0.0;
+    if (!c->has_deviation) return;
+    const bool is_of_a = fabs(a->max) >= fabs(b->max);
+    c->hausdorff = fabs(is_of_a ? a->max : b->max);
+    c->hausdorff_at = is_of_a ? a->at : b->at;
+    c->chamfer = a->abs + b->abs;
+    c->chamfer_square = a->square + b->square;
+    c->f1 = a->within + b->within > 0.0 ? 2.0 * a->within * b->within / (a->within + b->within) : 0.0;
+    c->normal_consistency = 0.5 * (a->alignment + b->alignment);
+    c->is_same = c->hausdorff <= c->tolerance;
+}
+
+static enum zr_status measure_distances(const struct zr_run *run, const struct zr_comparison_options *options,
+                                        struct zr_comparison *c)
+{
+    const uint32_t points = options->is_quick ? QUICK_POINTS : ZR_DEVIATION_POINTS;
+    struct zr_surface_tree trees[2];
+    enum zr_status status = zr_surface_tree_make(run, &c->a, &trees[0]);
+    if (status == ZR_OK) status = zr_surface_tree_make(run, &c->b, &trees[1]);
+    const struct zr_deviation_side a = {&trees[0], c->volumes.a.has_overlap}, b = {&trees[1], c->volumes.b.has_overlap};
+    c->threshold = ZR_COMPARISON_NEAR * c->a.diagonal;
+    if (status == ZR_OK) status = zr_deviation_find(run, &a, &b, points, c->threshold, &c->a_to_b);
+    if (status == ZR_OK) status = zr_deviation_find(run, &b, &a, points, c->threshold, &c->b_to_a);
+    if (status == ZR_OK) find_distances(options, c);
+    return status;
+}
+
+static enum zr_status measure(const struct zr_run *run, const struct zr_comparison_options *options,
+                              struct zr_comparison *c)
+{
+    enum zr_status status = ZR_OK;
+    c->has_volumes = c->a.is_closed && c->b.is_closed && c->a.diagonal > 0.0 && c->b.diagonal > 0.0;
+    if (c->has_volumes)
+        status = zr_volumes_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_VOLUME_RAYS, &c->volumes);
+    if (status != ZR_OK) return status;
+    struct zr_arena scratch = zr_arena_open_scratch(run->arena);
+    const struct zr_run inner = zr_run_in(run, &scratch);
+    status = measure_distances(&inner, options, c);
+    zr_arena_close_scratch(&scratch, run->arena);
+    return status;
+}
+
+enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scene *a, const struct zr_scene *b,
+                                  const struct zr_comparison_options *options, struct zr_comparison *out)
+{
+    *out = (struct zr_comparison){.has_volumes = false};
+    enum zr_status status = zr_solid_make(run, a, NULL, &out->a);
+    if (status == ZR_OK) status = zr_solid_make(run, b, &out->a.middle, &out->b);
+    if (status != ZR_OK) return status;
+    for (int i = 0; i < 2; i++)
+        if ((i == 0 ? &out->a : &out->b)->count == 0)
+            return zr_error_add(run->error, ZR_BAD_SCENE, NULL,
+                                "%s has no faces with an area; comparing needs surfaces, not lines or points",
+                                sides[i]);
+    status = measure(run, options, out);
+    if (status != ZR_OK) return status;
+    warn(run, out);
+    return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
+}
