@@ -1,5 +1,6 @@
 /* compare_models.c - client: `zraster compare a.stl b.stl`: the numbers of two models as lines. */
 #include <cjson/cJSON.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -126,6 +127,54 @@ static void print_volumes(const cJSON *volume)
     printf("\nvolume of both %s, only a %s, only b %s\n", both, a, b);
 }
 
+/* Returns number k of a list, or 0. */
+static double item(const cJSON *list, int k)
+{
+    const cJSON *value = cJSON_GetArrayItem(list, k);
+    return value ? value->valuedouble : 0.0;
+}
+
+/* Returns a coordinate of the centre of a box; errors of the rays beside 0 become 0. */
+static double center_of(const cJSON *region, int k)
+{
+    const cJSON *box = member(region, "box");
+    const double value = item(member(region, "center"), k),
+                 side = item(member(box, "max"), k) - item(member(box, "min"), k);
+    return fabs(value) < 1e-3 * side ? 0.0 : value;
+}
+
+static void print_regions(const cJSON *regions)
+{
+    const cJSON *region;
+    if (cJSON_GetArraySize(regions) == 0) return;
+    printf("\n%-*s %*s %*s  %s\n", COLUMN, "region", COLUMN, "volume", COLUMN, "size", "center");
+    cJSON_ArrayForEach(region, regions)
+    {
+        const cJSON *in = member(region, "in"), *part = member(region, "part");
+        char volume[64], size[64];
+        format(member(region, "volume"), volume);
+        format_size(member(region, "box"), size);
+        printf("only in %-*s %*s %*s  %.4g, %.4g, %.4g  ", COLUMN - 8, cJSON_IsString(in) ? in->valuestring : "",
+               COLUMN, volume, COLUMN, size, center_of(region, 0), center_of(region, 1), center_of(region, 2));
+        if (cJSON_IsString(part)) say_text(stdout, part->valuestring, strlen(part->valuestring));
+        putchar('\n');
+    }
+}
+
+static void print_parts(const cJSON *parts)
+{
+    const cJSON *list, *part;
+    cJSON_ArrayForEach(list, parts) cJSON_ArrayForEach(part, list)
+    {
+        const cJSON *name = member(part, "name"), *by = member(part, "by");
+        if (!cJSON_IsString(name)) continue;
+        printf("part %s: ", list->string);
+        say_text(stdout, name->valuestring, strlen(name->valuestring));
+        if (by) printf(" by %.4g, %.4g, %.4g", item(by, 0), item(by, 1), item(by, 2));
+        putchar('\n');
+    }
+}
+
 static void print_all(const struct options *options, const cJSON *all)
 {
     const cJSON *summary = member(all, "summary"), *warning;
@@ -133,6 +182,9 @@ static void print_all(const struct options *options, const cJSON *all)
     print_solids(member(all, "a"), member(all, "b"));
     print_volumes(member(all, "volume"));
     print_deviations(member(all, "deviation"));
+    print_regions(member(all, "regions"));
+    if (cJSON_GetArraySize(member(all, "parts")) > 0) putchar('\n');
+    print_parts(member(all, "parts"));
     fflush(stdout);
     if (options->own[OPTION_QUIET]) return;
     cJSON_ArrayForEach(warning, member(all, "warnings")) if (cJSON_IsString(warning)) say("%s", warning->valuestring);

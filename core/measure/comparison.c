@@ -31,11 +31,10 @@ static void warn(const struct zr_run *run, struct zr_comparison *c)
                             "distances are left out: too many triangles overlap to search them");
 }
 
-static void find_distances(const struct zr_comparison_options *options, struct zr_comparison *c)
+static void find_distances(struct zr_comparison *c)
 {
     const struct zr_deviation *a = &c->a_to_b, *b = &c->b_to_a;
     c->has_deviation = !a->is_omitted && !b->is_omitted;
-    c->tolerance = options->tolerance >= 0.0 ? options->tolerance : ZR_COMPARISON_SAME * c->a.diagonal;
     c->is_same = c->has_volumes && c->volumes.only_a == 0.0 && c->volumes.only_b == 0.0;
     if (!c->has_deviation) return;
     const bool is_of_a = fabs(a->max) >= fabs(b->max);
@@ -49,31 +48,71 @@ static void find_distances(const struct zr_comparison_options *options, struct z
 }
 
 static enum zr_status measure_distances(const struct zr_run *run, const struct zr_comparison_options *options,
-                                        struct zr_comparison *c)
+                                        struct zr_surface_tree trees[2], struct zr_comparison *c)
 {
     const uint32_t points = options->is_quick ? QUICK_POINTS : ZR_DEVIATION_POINTS;
-    struct zr_surface_tree trees[2];
     enum zr_status status = zr_surface_tree_make(run, &c->a, &trees[0]);
     if (status == ZR_OK) status = zr_surface_tree_make(run, &c->b, &trees[1]);
     const struct zr_deviation_side a = {&trees[0], c->volumes.a.has_overlap}, b = {&trees[1], c->volumes.b.has_overlap};
     c->threshold = ZR_COMPARISON_NEAR * c->a.diagonal;
     if (status == ZR_OK) status = zr_deviation_find(run, &a, &b, points, c->threshold, &c->a_to_b);
     if (status == ZR_OK) status = zr_deviation_find(run, &b, &a, points, c->threshold, &c->b_to_a);
-    if (status == ZR_OK) find_distances(options, c);
+    if (status == ZR_OK) find_distances(c);
     return status;
 }
 
-static enum zr_status measure(const struct zr_run *run, const struct zr_comparison_options *options,
+/* Finds the part of each region: that of the nearest triangle of its solid. */
+static void find_region_parts(const struct zr_surface_tree trees[2], const struct zr_part_list lists[2],
                               struct zr_comparison *c)
 {
+    for (uint32_t i = 0; i < c->regions.count; i++) {
+        const struct zr_region *region = &c->regions.at[i];
+        const struct zr_surface_tree *tree = &trees[region->is_b];
+        const struct zr_part_list *list = &lists[region->is_b];
+        struct zr_surface_hit hit = {.triangle = 0};
+        uint64_t steps = 0;
+        zr_surface_tree_nearest(tree, region->at, -1.0, &hit, &steps);
+        const uint32_t part = tree->solid->parts[hit.triangle];
+        c->region_parts[i] = part < list->count ? list->at[part].name : "";
+    }
+}
+
+static enum zr_status measure_regions(const struct zr_run *run, const struct zr_comparison_options *options,
+                                      struct zr_comparison *c)
+{
+    const double thin = zr_most_of(ZR_COMPARISON_THIN * c->a.diagonal, options->tolerance);
+    if (!c->has_volumes) return ZR_OK;
+    return zr_regions_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_VOLUME_RAYS, thin, &c->regions);
+}
+
+static enum zr_status measure_parts(const struct zr_run *run, const struct zr_scene *const scenes[2],
+                                    struct zr_part_list lists[2], struct zr_comparison *c)
+{
+    for (int i = 0; i < 2; i++)
+        lists[i] = zr_part_list_make(run->arena, scenes[i], ZR_PART_CHANGES_PARTS);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
+    c->has_parts = lists[0].total > 1 || lists[1].total > 1;
+    if (!c->has_parts) return ZR_OK;
+    return zr_part_changes_find(run, &c->a, &lists[0], &c->b, &lists[1], c->tolerance, &c->parts);
+}
+
+static enum zr_status measure(const struct zr_run *run, const struct zr_scene *const scenes[2],
+                              const struct zr_comparison_options *options, struct zr_comparison *c)
+{
+    struct zr_part_list lists[2];
+    struct zr_surface_tree trees[2];
     enum zr_status status = ZR_OK;
     c->has_volumes = c->a.is_closed && c->b.is_closed && c->a.diagonal > 0.0 && c->b.diagonal > 0.0;
     if (c->has_volumes)
         status = zr_volumes_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_VOLUME_RAYS, &c->volumes);
+    if (status == ZR_OK) status = measure_regions(run, options, c);
+    c->tolerance = options->tolerance >= 0.0 ? options->tolerance : ZR_COMPARISON_SAME * c->a.diagonal;
+    if (status == ZR_OK) status = measure_parts(run, scenes, lists, c);
     if (status != ZR_OK) return status;
     struct zr_arena scratch = zr_arena_open_scratch(run->arena);
     const struct zr_run inner = zr_run_in(run, &scratch);
-    status = measure_distances(&inner, options, c);
+    status = measure_distances(&inner, options, trees, c);
+    if (status == ZR_OK) find_region_parts(trees, lists, c);
     zr_arena_close_scratch(&scratch, run->arena);
     return status;
 }
@@ -90,7 +129,7 @@ enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scen
             return zr_error_add(run->error, ZR_BAD_SCENE, NULL,
                                 "%s has no faces with an area; comparing needs surfaces, not lines or points",
                                 sides[i]);
-    status = measure(run, options, out);
+    status = measure(run, (const struct zr_scene *const[2]){a, b}, options, out);
     if (status != ZR_OK) return status;
     warn(run, out);
     return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;

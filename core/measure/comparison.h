@@ -12,10 +12,15 @@
 
 #include "base/warning_list.h"
 #include "measure/deviation.h"
+#include "measure/part_changes.h"
+#include "measure/regions.h"
 #include "measure/volumes.h"
 
 /* The default tolerance, relative to the diagonal of the first model. */
 #define ZR_COMPARISON_SAME 1e-6
+
+/* Intervals up to this thickness are in no region of change, relative to the diagonal, or up to the tolerance. */
+#define ZR_COMPARISON_THIN 1e-5
 
 /* Distances up to this share of the diagonal count as near for F1. */
 #define ZR_COMPARISON_NEAR 0.01
@@ -37,6 +42,10 @@ struct zr_comparison {
     double threshold, f1;                 /* of points whose normals are alike (deviation.h) */
     double normal_consistency, tolerance; /* tolerance: as given or by default */
     bool is_same;
+    struct zr_regions regions;                /* if has_volumes */
+    const char *region_parts[ZR_REGIONS_MAX]; /* names of the parts that the regions belong to */
+    bool has_parts;                           /* one of the models has several parts */
+    struct zr_part_changes parts;
     struct zr_warning_list warnings; /* of comparing; those of the scenes are not among them */
 };
 

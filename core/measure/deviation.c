@@ -6,20 +6,13 @@
 #include "base/arena.h"
 #include "base/cancel.h"
 #include "base/team.h"
+#include "measure/surface_points.h"
 #include "mesh/facts/ray_grid.h"
 
 enum { POINTS_PER_TASK = 256, QUERIES_PER_CANCEL_CHECK = 64, TRIANGLES_PER_CANCEL_CHECK = 1 << 14 };
 
 /* Steps beside the surface at which a wall is tested, relative to the diagonal. */
 #define BESIDE 1e-6
-
-/* Fractions of the R2 sequence: powers of the root of x^3 = x + 1. */
-static const double fractions[2] = {0.75487766624669276, 0.56984029099805327};
-
-struct point {
-    struct zr_world_place at;
-    uint32_t triangle;
-};
 
 /* Sums of a task. */
 struct sums {
@@ -36,7 +29,7 @@ struct measuring {
     double threshold_square;
     bool is_signed;
     uint32_t count;
-    struct point *points;
+    struct zr_surface_point *points;
     uint64_t *distances;  /* bits of those without sign; UINT64_MAX: left out */
     uint64_t *spare;      /* for sorting */
     struct sums *sums;    /* per task */
@@ -44,44 +37,6 @@ struct measuring {
     const uint32_t *uses; /* corners: a triangle of each place; UINT32_MAX: none */
     atomic_bool is_stopped;
 };
-
-/* ---- points ---- */
-
-static double fraction_of(uint64_t number, int axis)
-{
-    const double value = 0.5 + (double)number * fractions[axis];
-    return value - (double)(uint64_t)value;
-}
-
-/* Returns a place in a triangle for two fractions. */
-static struct zr_world_place place_in(const struct zr_world_place p[3], double u, double v)
-{
-    if (u + v > 1.0) {
-        u = 1.0 - u;
-        v = 1.0 - v;
-    }
-    const struct zr_world_place a = zr_world_place_minus(p[1], p[0]), b = zr_world_place_minus(p[2], p[0]);
-    return (struct zr_world_place){p[0].x + (a.x * u + b.x * v), p[0].y + (a.y * u + b.y * v),
-                                   p[0].z + (a.z * u + b.z * v)};
-}
-
-/* Places points at equal shares of the area. */
-static void place_points(struct measuring *m, const struct zr_solid *solid, uint32_t wanted)
-{
-    double area = 0.0;
-    for (uint32_t t = 0; t < solid->count && m->count < wanted; t++) {
-        struct zr_world_place p[3];
-        if (t % POINTS_PER_TASK == 0 && zr_is_cancelled(m->cancel)) return;
-        zr_solid_places(solid, t, p);
-        const struct zr_world_place n =
-            zr_world_place_cross(zr_world_place_minus(p[1], p[0]), zr_world_place_minus(p[2], p[0]));
-        area += 0.5 * sqrt(zr_world_place_dot(n, n));
-        while (m->count < wanted && ((double)m->count + 0.5) * (solid->area / (double)wanted) < area) {
-            m->points[m->count] = (struct point){place_in(p, fraction_of(m->count, 0), fraction_of(m->count, 1)), t};
-            m->count++;
-        }
-    }
-}
 
 /* ---- distances ---- */
 
@@ -132,7 +87,7 @@ static void take_largest(struct sums *sums, double distance, double with_sign, s
 static void add_point(struct working *w, uint32_t number, struct sums *sums)
 {
     struct measuring *m = w->m;
-    const struct point *point = &m->points[number];
+    const struct zr_surface_point *point = &m->points[number];
     if (is_inner(w, point->at, point->triangle)) return;
     zr_surface_tree_nearest(m->to->tree, point->at, -1.0, &w->hit, &w->steps);
     const double distance = sqrt(w->hit.square), with_sign = signed_of(w, point->at, distance);
@@ -259,7 +214,7 @@ static enum zr_status measure(const struct zr_run *run, struct zr_arena *scratch
     m->sums = zr_arena_alloc(scratch, (size_t)most / POINTS_PER_TASK + 1, sizeof *m->sums);
     m->uses = list_uses(scratch, run->cancel, solid);
     if (!zr_arena_ok(scratch)) return ZR_NO_MEMORY;
-    place_points(m, solid, points);
+    m->count = zr_surface_points_place(solid, run->cancel, points, m->points);
     measure_points(run->team, m, &all, out);
     measure_corners(run->team, m, &all);
     out->max = all.signed_max;

@@ -58,10 +58,16 @@ static inline double zr_crossing_place(const struct zr_ray_grid *grid, uint64_t 
 
 /* The intervals between the crossings of one ray, in order. */
 struct zr_ray_interval {
-    double from, to;  /* relative to the middle of the grid */
-    double thickness; /* across the flatter of both faces */
-    int a, b;         /* winding numbers of the solids */
+    double from, to;       /* relative to the middle of the grid */
+    double enters, leaves; /* cosines between the ray and the faces at both ends */
+    int a, b;              /* winding numbers of the solids */
 };
+
+/* Returns the thickness across the flatter of both faces. */
+static inline double zr_ray_thickness(const struct zr_ray_interval *at)
+{
+    return (at->to - at->from) * zr_least_of(at->enters, at->leaves);
+}
 
 /* A walk along one ray. */
 struct zr_ray_walk {
@@ -82,9 +88,12 @@ static inline bool zr_ray_walk_next(struct zr_ray_walk *walk, struct zr_ray_inte
         *(zr_crossing_is_b(from) ? &walk->b : &walk->a) += zr_crossing_sign(from);
         walk->at++;
         if (walk->a == 0 && walk->b == 0) continue;
-        *out = (struct zr_ray_interval){zr_crossing_place(walk->grid, from), zr_crossing_place(walk->grid, to), 0.0,
-                                        walk->a, walk->b};
-        out->thickness = (out->to - out->from) * zr_least_of(zr_crossing_cosine(from), zr_crossing_cosine(to));
+        *out = (struct zr_ray_interval){zr_crossing_place(walk->grid, from),
+                                        zr_crossing_place(walk->grid, to),
+                                        zr_crossing_cosine(from),
+                                        zr_crossing_cosine(to),
+                                        walk->a,
+                                        walk->b};
         return true;
     }
     return false;

@@ -46,7 +46,7 @@ static void add_ray(const struct measuring *m, uint32_t ray, struct row *row)
     double *lengths = m->lengths[ray];
     while (zr_ray_walk_next(&walk, &at)) {
         const int kind = at.a == 0 ? ONLY_B : at.b == 0 ? ONLY_A : BOTH;
-        if (at.thickness <= m->thin) {
+        if (zr_ray_thickness(&at) <= m->thin) {
             if (kind != BOTH) row->thin += at.to - at.from;
             if (kind != BOTH) continue;
         } else {

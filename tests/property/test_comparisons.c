@@ -150,6 +150,49 @@ TEST_AROUND(open_surfaces_have_distances_alone, open_renderer, close_renderer)
     cJSON_Delete(answer);
 }
 
+/* Parts by name: one stays, one moves, one grows, one is removed and one added. */
+TEST_AROUND(parts_and_regions_are_told, open_renderer, close_renderer)
+{
+    static const struct {
+        const char *name;
+        double low[2][3], size[2][3];
+    } rows[] = {{"stays", {{0, 0, 0}, {0, 0, 0}}, {{1, 1, 1}, {1, 1, 1}}},
+                {"moves", {{2, 0, 0}, {2, 0.5, 0}}, {{1, 1, 1}, {1, 1, 1}}},
+                {"grows", {{4, 0, 0}, {4, 0, 0}}, {{1, 1, 1}, {1, 1, 1.5}}},
+                {"gone", {{6, 0, 0}}, {{1, 1, 0.5}}},
+                {"new", {{0}, {8, 0, 0}}, {{0}, {1, 1, 0.75}}}};
+    char *texts[2] = {one, two};
+    for (int side = 0; side < 2; side++) {
+        char *at = texts[side];
+        int boxes = 0;
+        for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+            if (rows[i].size[side][0] == 0) continue;
+            char box[TEXT];
+            obj(box, rows[i].low[side], rows[i].size[side], 0);
+            at += sprintf(at, "%sg %s\n", box, rows[i].name);
+            for (int f = 0; f < 12; f++)
+                at += sprintf(at, "f %d %d %d\n", triangles[f][0] + 1 + 8 * boxes, triangles[f][1] + 1 + 8 * boxes,
+                              triangles[f][2] + 1 + 8 * boxes);
+            boxes++;
+        }
+    }
+    cJSON *answer = compare(one, "obj", two, "obj", NULL);
+    static const char *const kinds[][2] = {
+        {"removed", "gone"}, {"added", "new"}, {"moved", "moves"}, {"changed", "grows"}};
+    for (size_t i = 0; i < 4; i++) {
+        const cJSON *list = cJSON_GetObjectItem(cJSON_GetObjectItem(answer, "parts"), kinds[i][0]);
+        assert_int_equal(cJSON_GetArraySize(list), 1);
+        assert_string_equal(cJSON_GetObjectItem(cJSON_GetArrayItem(list, 0), "name")->valuestring, kinds[i][1]);
+    }
+    const cJSON *regions = cJSON_GetObjectItem(answer, "regions"), *first = cJSON_GetArrayItem(regions, 0);
+    assert_int_equal(cJSON_GetArraySize(regions), 5);
+    assert_string_equal(cJSON_GetObjectItem(first, "in")->valuestring, "b");
+    assert_string_equal(cJSON_GetObjectItem(first, "part")->valuestring, "new");
+    assert_number(first, "volume", 0.75, 0.01);
+    assert_non_null(strstr(cJSON_GetObjectItem(answer, "summary")->valuestring, "5 regions"));
+    cJSON_Delete(answer);
+}
+
 TEST_AROUND(faults_are_told, open_renderer, close_renderer)
 {
     zraster_scene *scene = read(obj(one, zero, cube, 12), "obj"), *line = read("v 0 0 0\nv 1 0 0\nl 1 2\n", "obj");

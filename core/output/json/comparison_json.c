@@ -67,10 +67,17 @@ static void add_distances(struct line *line, const struct zr_comparison *c)
         add(line, " at (%.4g, %.4g, %.4g)", plain(at.x, size), plain(at.y, size), plain(at.z, size));
 }
 
+static void add_regions(struct line *line, const struct zr_comparison *c)
+{
+    const uint32_t count = c->regions.count + c->regions.omitted;
+    if (count > 0) add(line, "; %u region%s", count, count == 1 ? "" : "s");
+}
+
 static struct line summary_of(const struct zr_comparison *c)
 {
     struct line line = {.size = 0};
     if (c->has_volumes) add_volumes(&line, c);
+    if (c->has_volumes) add_regions(&line, c);
     if (c->has_deviation) add_distances(&line, c);
     if (!c->has_volumes) add(&line, "%sno IoU: open surfaces", line.size > 0 ? "; " : "");
     if (c->is_same) add(&line, "; same");
@@ -159,6 +166,48 @@ static void print_distances(struct zr_print *print, const struct zr_comparison *
     zr_print_end(print, '}');
 }
 
+static void print_region(struct zr_print *print, const struct zr_comparison *c, uint32_t number)
+{
+    const struct zr_region *region = &c->regions.at[number];
+    zr_print_begin(print, NULL, '{');
+    zr_print_string(print, "in", region->is_b ? "b" : "a");
+    zr_print_double(print, "volume", region->volume);
+    print_box(print, c, region->min, region->max);
+    print_place(print, "center", c, (struct zr_world_place){region->center[0], region->center[1], region->center[2]});
+    zr_print_double(print, "thickness", region->thickness);
+    if (c->has_parts) zr_print_string(print, "part", c->region_parts[number]);
+    zr_print_end(print, '}');
+}
+
+static void print_regions(struct zr_print *print, const struct zr_comparison *c)
+{
+    zr_print_begin(print, "regions", '[');
+    for (uint32_t i = 0; i < c->regions.count; i++)
+        print_region(print, c, i);
+    zr_print_end(print, ']');
+    if (c->regions.omitted > 0) zr_print_count(print, "regionsOmitted", c->regions.omitted);
+}
+
+static void print_changes(struct zr_print *print, const struct zr_part_changes *changes)
+{
+    static const char *const keys[] = {"removed", "added", "moved", "changed"};
+    zr_print_begin(print, "parts", '{');
+    for (int kind = 0; kind < 4; kind++) {
+        zr_print_begin(print, keys[kind], '[');
+        for (uint32_t i = 0; i < changes->count; i++) {
+            const struct zr_part_change *change = &changes->at[i];
+            if ((int)change->kind != kind) continue;
+            zr_print_begin(print, NULL, '{');
+            zr_print_string(print, "name", change->name);
+            if (kind == ZR_PART_MOVED) zr_print_doubles(print, "by", change->by, 3);
+            zr_print_end(print, '}');
+        }
+        zr_print_end(print, ']');
+    }
+    if (changes->omitted > 0) zr_print_count(print, "omitted", changes->omitted);
+    zr_print_end(print, '}');
+}
+
 enum zr_status zr_comparison_json_write(const struct zr_comparison *c, const struct zr_scene *a,
                                         const struct zr_scene *b, struct zr_buffer *out)
 {
@@ -171,6 +220,8 @@ enum zr_status zr_comparison_json_write(const struct zr_comparison *c, const str
     print_solid(print, "b", c, b, &c->b, &c->volumes.b);
     if (c->has_volumes) print_volumes(print, &c->volumes);
     if (c->has_deviation) print_distances(print, c);
+    if (c->has_volumes) print_regions(print, c);
+    if (c->has_parts) print_changes(print, &c->parts);
     zr_print_begin(print, "warnings", '[');
     for (size_t i = 0; i < c->warnings.count; i++)
         zr_print_string(print, NULL, c->warnings.texts[i]);
