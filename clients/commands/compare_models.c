@@ -200,6 +200,7 @@ static int compare(const struct engine *engine, const struct options *options, c
     zraster_error *error = NULL;
     int status = STATUS_FAILED;
     if (options->own[OPTION_TOLERANCE]) bytes_print(&query, "tolerance=%s", options->own[OPTION_TOLERANCE]);
+    if (options->own[OPTION_ALIGN]) bytes_print(&query, "&align=%s", options->own[OPTION_ALIGN]);
     const zraster_status result = zraster_compare(a, b, bytes_text(&query), engine->cancel, &comparison, &error);
     if (interrupted())
         status = STATUS_INTERRUPTED;

@@ -8,6 +8,37 @@ enum { QUICK_RAYS = 128, QUICK_POINTS = 10000 };
 
 static const char sides[2][2] = {"a", "b"};
 
+/* Factors between usual units, and what they are. */
+static const struct {
+    double factor;
+    const char *words;
+} units[] = {{25.4, "inches and millimetres"},      {2.54, "inches and centimetres"},
+             {10.0, "centimetres and millimetres"}, {1000.0, "metres and millimetres"},
+             {100.0, "metres and centimetres"},     {39.37, "metres and inches"}};
+
+/* Warns if one model is larger by the factor of two units, to 2 %. */
+static void warn_of_units(const struct zr_run *run, struct zr_comparison *c)
+{
+    const double ratio = c->a.diagonal > 0.0 ? c->b.diagonal / c->a.diagonal : 1.0;
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        const double up = ratio / units[i].factor, down = ratio * units[i].factor;
+        if ((up > 0.98 && up < 1.02) || (down > 0.98 && down < 1.02))
+            zr_warning_list_add(run->arena, &c->warnings,
+                                "b is %.4g times as large as a, as if one had other units: %s", ratio, units[i].words);
+    }
+}
+
+static void warn_of_alignment(const struct zr_run *run, struct zr_comparison *c)
+{
+    if (c->alignment.is_omitted)
+        zr_warning_list_add(run->arena, &c->warnings, "nothing is aligned: too many triangles overlap to search them");
+    if (c->alignment.is_mirrored)
+        zr_warning_list_add(run->arena, &c->warnings, "a mirror image of b fits a much better than b does");
+    if (c->alignment.ambiguous_count > 0)
+        zr_warning_list_add(run->arena, &c->warnings, "b fits a in %u more ways: alignment.ambiguous has them",
+                            c->alignment.ambiguous_count);
+}
+
 static void warn(const struct zr_run *run, struct zr_comparison *c)
 {
     const struct zr_solid *solids[2] = {&c->a, &c->b};
@@ -26,6 +57,7 @@ static void warn(const struct zr_run *run, struct zr_comparison *c)
             zr_warning_list_add(run->arena, &c->warnings, "the faces of %s look inwards; it is compared turned round",
                                 sides[i]);
     }
+    warn_of_alignment(run, c);
     if (!c->has_deviation)
         zr_warning_list_add(run->arena, &c->warnings,
                             "distances are left out: too many triangles overlap to search them");
@@ -96,6 +128,19 @@ static enum zr_status measure_parts(const struct zr_run *run, const struct zr_sc
     return zr_part_changes_find(run, &c->a, &lists[0], &c->b, &lists[1], c->tolerance, &c->parts);
 }
 
+/* Moves b. */
+static enum zr_status align(const struct zr_run *run, struct zr_comparison *c)
+{
+    struct zr_arena scratch = zr_arena_open_scratch(run->arena);
+    const struct zr_run inner = zr_run_in(run, &scratch);
+    struct zr_surface_tree tree;
+    enum zr_status status = zr_surface_tree_make(&inner, &c->a, &tree);
+    if (status == ZR_OK) status = zr_align_find(&inner, &tree, &c->b, c->align, &c->alignment);
+    if (status == ZR_OK) zr_align_move(&c->b, &c->alignment.motion);
+    zr_arena_close_scratch(&scratch, run->arena);
+    return status;
+}
+
 static enum zr_status measure(const struct zr_run *run, const struct zr_scene *const scenes[2],
                               const struct zr_comparison_options *options, struct zr_comparison *c)
 {
@@ -120,7 +165,7 @@ static enum zr_status measure(const struct zr_run *run, const struct zr_scene *c
 enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scene *a, const struct zr_scene *b,
                                   const struct zr_comparison_options *options, struct zr_comparison *out)
 {
-    *out = (struct zr_comparison){.has_volumes = false};
+    *out = (struct zr_comparison){.align = options->align};
     enum zr_status status = zr_solid_make(run, a, NULL, &out->a);
     if (status == ZR_OK) status = zr_solid_make(run, b, &out->a.middle, &out->b);
     if (status != ZR_OK) return status;
@@ -129,6 +174,9 @@ enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scen
             return zr_error_add(run->error, ZR_BAD_SCENE, NULL,
                                 "%s has no faces with an area; comparing needs surfaces, not lines or points",
                                 sides[i]);
+    warn_of_units(run, out);
+    if (out->align != ZR_ALIGN_NONE) status = align(run, out);
+    if (status != ZR_OK) return status;
     status = measure(run, (const struct zr_scene *const[2]){a, b}, options, out);
     if (status != ZR_OK) return status;
     warn(run, out);

@@ -11,6 +11,7 @@
 #define ZR_COMPARISON_H
 
 #include "base/warning_list.h"
+#include "measure/align.h"
 #include "measure/deviation.h"
 #include "measure/part_changes.h"
 #include "measure/regions.h"
@@ -28,11 +29,14 @@
 struct zr_comparison_options {
     double tolerance; /* negative: the default */
     bool is_quick;    /* fewer rays and points */
+    enum zr_align align;
 };
 
 struct zr_comparison {
     struct zr_solid a, b;
-    bool has_volumes; /* both are closed */
+    enum zr_align align;
+    struct zr_alignment alignment; /* b is moved by it */
+    bool has_volumes;              /* both are closed */
     struct zr_volumes volumes;
     struct zr_deviation a_to_b, b_to_a;
     bool has_deviation;

@@ -40,8 +40,16 @@ static enum zr_status read_parameter(const char *text, size_t size, struct zr_co
         if (out->is_quick || is_word(value, length, "full")) return ZR_OK;
         return zr_error_add(error, ZR_BAD_REQUEST, "precision", "one of: quick, full");
     }
+    if (is_word(text, name, "align")) {
+        for (int i = 0; i < 4; i++)
+            if (is_word(value, length, zr_align_words[i])) {
+                out->align = (enum zr_align)i;
+                return ZR_OK;
+            }
+        return zr_error_add(error, ZR_BAD_REQUEST, "align", "one of: none, bounds, principal, icp");
+    }
     return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                        "unknown parameter; those of comparisons are tolerance, precision");
+                        "unknown parameter; those of comparisons are align, precision, tolerance");
 }
 
 static enum zr_status read_query(const char *query, struct zr_comparison_options *out, struct zr_error *error)

@@ -193,6 +193,38 @@ TEST_AROUND(parts_and_regions_are_told, open_renderer, close_renderer)
     cJSON_Delete(answer);
 }
 
+TEST_AROUND(a_turned_part_is_aligned, open_renderer, close_renderer)
+{
+    obj(one, (const double[3]){10, 20, 30}, (const double[3]){1, 2, 3}, 12);
+    obj(two, (const double[3]){-7, 3, 4}, (const double[3]){2, 3, 1}, 12);
+    cJSON *answer = compare(one, "obj", two, "obj", "align=principal");
+    assert_true(cJSON_IsTrue(cJSON_GetObjectItem(answer, "same")));
+    const cJSON *alignment = cJSON_GetObjectItem(answer, "alignment"),
+                *matrix = cJSON_GetObjectItem(alignment, "matrix");
+    double middle[3] = {0};
+    for (int k = 0; k < 3; k++)
+        middle[k] =
+            -6 * cJSON_GetArrayItem(matrix, k)->valuedouble + 4.5 * cJSON_GetArrayItem(matrix, 4 + k)->valuedouble +
+            4.5 * cJSON_GetArrayItem(matrix, 8 + k)->valuedouble + cJSON_GetArrayItem(matrix, 12 + k)->valuedouble;
+    assert_true(fabs(middle[0] - 10.5) < 1e-9 && fabs(middle[1] - 21) < 1e-9 && fabs(middle[2] - 31.5) < 1e-9);
+    assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(alignment, "ambiguous")), 3);
+    assert_number(answer, "volume.iou", 1, 1e-12);
+    cJSON_Delete(answer);
+    answer = compare(one, "obj", two, "obj", "align=bounds");
+    assert_true(cJSON_IsFalse(cJSON_GetObjectItem(answer, "same")));
+    cJSON_Delete(answer);
+}
+
+TEST_AROUND(other_units_are_told, open_renderer, close_renderer)
+{
+    cJSON *answer =
+        compare(obj(one, zero, cube, 12), "obj", obj(two, zero, (const double[3]){25.4, 25.4, 25.4}, 12), "obj", NULL);
+    const cJSON *warnings = cJSON_GetObjectItem(answer, "warnings");
+    assert_int_equal(cJSON_GetArraySize(warnings), 1);
+    assert_non_null(strstr(cJSON_GetArrayItem(warnings, 0)->valuestring, "inches and millimetres"));
+    cJSON_Delete(answer);
+}
+
 TEST_AROUND(faults_are_told, open_renderer, close_renderer)
 {
     zraster_scene *scene = read(obj(one, zero, cube, 12), "obj"), *line = read("v 0 0 0\nv 1 0 0\nl 1 2\n", "obj");
@@ -202,8 +234,8 @@ TEST_AROUND(faults_are_told, open_renderer, close_renderer)
     assert_non_null(strstr(zraster_error_text(error), "b has no faces"));
     assert_null(comparison);
     zraster_error_free(error);
-    static const char *const wrong[] = {"tolerance=-1",  "tolerance=", "tolerance=1x",
-                                        "precision=low", "color=red",  "x"};
+    static const char *const wrong[] = {"tolerance=-1", "tolerance=", "tolerance=1x", "precision=low", "color=red",
+                                        "align=best",   "x"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         assert_int_equal(zraster_compare(scene, scene, wrong[i], NULL, &comparison, NULL), ZRASTER_BAD_REQUEST);
     zraster_cancel *cancel = zraster_cancel_new();

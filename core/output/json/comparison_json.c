@@ -208,6 +208,39 @@ static void print_changes(struct zr_print *print, const struct zr_part_changes *
     zr_print_end(print, '}');
 }
 
+/* Prints a motion of places in the files as the matrix of a node: column by column. */
+static void print_motion(struct zr_print *print, const char *key, const struct zr_comparison *c,
+                         const struct zr_rigid *motion)
+{
+    const struct zr_world_place m = c->a.middle,
+                                back = zr_rigid_apply(motion, (struct zr_world_place){-m.x, -m.y, -m.z});
+    double matrix[16] = {0};
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++)
+            matrix[4 * column + row] = motion->turn[row][column] + 0.0;
+    matrix[12] = back.x + m.x + 0.0;
+    matrix[13] = back.y + m.y + 0.0;
+    matrix[14] = back.z + m.z + 0.0;
+    matrix[15] = 1.0;
+    zr_print_doubles(print, key, matrix, 16);
+}
+
+static void print_alignment(struct zr_print *print, const struct zr_comparison *c)
+{
+    const struct zr_alignment *own = &c->alignment;
+    zr_print_begin(print, "alignment", '{');
+    zr_print_string(print, "align", zr_align_words[c->align]);
+    print_motion(print, "matrix", c, &own->motion);
+    if (!own->is_omitted) zr_print_double(print, "rmsBefore", own->before);
+    if (!own->is_omitted) zr_print_double(print, "rmsAfter", own->after);
+    if (c->align == ZR_ALIGN_PRINCIPAL) zr_print_bool(print, "mirrored", own->is_mirrored);
+    zr_print_begin(print, "ambiguous", '[');
+    for (uint32_t i = 0; i < own->ambiguous_count; i++)
+        print_motion(print, NULL, c, &own->ambiguous[i]);
+    zr_print_end(print, ']');
+    zr_print_end(print, '}');
+}
+
 enum zr_status zr_comparison_json_write(const struct zr_comparison *c, const struct zr_scene *a,
                                         const struct zr_scene *b, struct zr_buffer *out)
 {
@@ -218,6 +251,7 @@ enum zr_status zr_comparison_json_write(const struct zr_comparison *c, const str
     zr_print_double(print, "tolerance", c->tolerance);
     print_solid(print, "a", c, a, &c->a, &c->volumes.a);
     print_solid(print, "b", c, b, &c->b, &c->volumes.b);
+    if (c->align != ZR_ALIGN_NONE) print_alignment(print, c);
     if (c->has_volumes) print_volumes(print, &c->volumes);
     if (c->has_deviation) print_distances(print, c);
     if (c->has_volumes) print_regions(print, c);
