@@ -33,6 +33,5 @@ int command_compare(struct options *options)
     if (first == MODEL && second == PICTURE)
         return options_wrong("%s is a model and %s is a picture: compare two of one kind", a, b);
     if (first != MODEL && second != MODEL) return compare_pictures(options);
-    if (options->own[OPTION_OUTPUT]) return options_wrong("-o saves the differences of pictures; models have numbers");
     return compare_models(options);
 }

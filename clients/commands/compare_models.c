@@ -11,7 +11,9 @@
 #include "engine/report.h"
 #include "files/input.h"
 #include "files/neighbours.h"
+#include "files/output.h"
 #include "files/say.h"
+#include "options/parameters.h"
 #include "options/wording.h"
 
 enum { COLUMN = 18 };
@@ -192,6 +194,67 @@ static void print_all(const struct options *options, const cJSON *all)
 
 /* ---- comparing ---- */
 
+static struct target target_of(const struct options *options)
+{
+    struct target target = output_target(options->files[0], options->own[OPTION_OUTPUT]);
+    if (!target.out) target.stem = "difference";
+    return target;
+}
+
+/* Checks the name of the picture, before the models are read. Returns 0, or the exit status of a fault that is
+ * reported. */
+static int check_output(const struct options *options)
+{
+    struct bytes faults = {.data = NULL};
+    if (!options->own[OPTION_OUTPUT]) return 0;
+    struct target target = target_of(options);
+    int status = output_check(&target, false, &faults);
+    if (status == 0 && bytes_same_file(options->files[1], options->own[OPTION_OUTPUT])) {
+        bytes_print(&faults, "the output would overwrite its own input; -o names another file");
+        status = STATUS_USAGE;
+    }
+    if (status != 0) report_faults(stderr, options->own[OPTION_OUTPUT], &faults);
+    bytes_free(&faults);
+    return status;
+}
+
+/* Draws the scene of a comparison and saves it. Returns an exit status. */
+static int save(const struct engine *engine, const struct options *options, const zraster_comparison *comparison)
+{
+    const char *out = options->own[OPTION_OUTPUT], *width = options->parameters[PARAMETER_width],
+               *height = options->parameters[PARAMETER_height];
+    struct bytes names = {.data = NULL}, faults = {.data = NULL}, query = {.data = NULL};
+    struct target target = target_of(options);
+    struct answer answer = {.status = STATUS_DONE};
+    zraster_error *error = NULL;
+    int status = 0;
+    if (width) bytes_print(&query, "width=%s&", width);
+    if (height) bytes_print(&query, "height=%s", height);
+    const struct zraster_request change = {
+        .struct_size = sizeof change, .query = bytes_text(&query), .cancel = engine->cancel};
+    if (zraster_scene_draw(zraster_comparison_scene(comparison), &change, &answer.picture, &error) != ZRASTER_OK ||
+        zraster_picture_encode(answer.picture, NULL, &answer.file, &error) != ZRASTER_OK) {
+        bytes_print(&faults, "%s", zraster_error_text(error));
+        status = interrupted() ? STATUS_INTERRUPTED : STATUS_FAILED;
+    }
+    if (status == 0) status = output_save(&target, &answer, options->own[OPTION_NO_CLOBBER] != NULL, &names, &faults);
+    if (status != 0 && status != STATUS_INTERRUPTED) report_faults(stderr, out, &faults);
+    answer_free(&answer);
+    bytes_free(&names);
+    bytes_free(&faults);
+    bytes_free(&query);
+    zraster_error_free(error);
+    return status;
+}
+
+/* Reports a wrong parameter by the name of its option. */
+static int refuse(const char *text)
+{
+    static const char show[] = "show: ";
+    if (strncmp(text, show, sizeof show - 1) == 0) return options_wrong("--picture: %s", text + sizeof show - 1);
+    return options_wrong("--%s", text);
+}
+
 static int compare(const struct engine *engine, const struct options *options, const zraster_scene *a,
                    const zraster_scene *b)
 {
@@ -201,6 +264,8 @@ static int compare(const struct engine *engine, const struct options *options, c
     int status = STATUS_FAILED;
     if (options->own[OPTION_TOLERANCE]) bytes_print(&query, "tolerance=%s", options->own[OPTION_TOLERANCE]);
     if (options->own[OPTION_ALIGN]) bytes_print(&query, "&align=%s", options->own[OPTION_ALIGN]);
+    if (options->own[OPTION_OUTPUT])
+        bytes_print(&query, "&show=%s", options->own[OPTION_PICTURE] ? options->own[OPTION_PICTURE] : "difference");
     const zraster_status result = zraster_compare(a, b, bytes_text(&query), engine->cancel, &comparison, &error);
     if (interrupted())
         status = STATUS_INTERRUPTED;
@@ -212,9 +277,10 @@ static int compare(const struct engine *engine, const struct options *options, c
         else
             fputs(json, stdout);
         cJSON_Delete(all);
-        status = zraster_comparison_same(comparison) ? STATUS_DONE : STATUS_DIFFERENT;
+        status = options->own[OPTION_OUTPUT] ? save(engine, options, comparison) : STATUS_DONE;
+        if (status == STATUS_DONE && !zraster_comparison_same(comparison)) status = STATUS_DIFFERENT;
     } else if (result == ZRASTER_BAD_REQUEST)
-        status = options_wrong("--%s", zraster_error_text(error));
+        status = refuse(zraster_error_text(error));
     else
         say("%s", zraster_error_text(error));
     bytes_free(&query);
@@ -229,7 +295,8 @@ int compare_models(const struct options *options)
     zraster_scene *scenes[2] = {NULL, NULL};
     struct options here = *options;
     here.own[OPTION_SERVER] = NULL; /* $ZRASTER_SERVER draws, and does not compare */
-    int status = engine_open(&engine, &here, options_threads(options), 1);
+    int status = check_output(options);
+    if (status == 0) status = engine_open(&engine, &here, options_threads(options), 1);
     if (status != 0) return status;
     for (int i = 0; i < 2 && status == 0; i++)
         status = read_model(&engine, options, options->files[i], &scenes[i]);

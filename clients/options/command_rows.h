@@ -36,7 +36,7 @@
         "file, folder or standard output; .svg: lines alone (default: FILE with another ending, in this folder; "      \
         "compare: "                                                                                                    \
         "none)")                                                                                                       \
-    ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS,                                                                  \
+    ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS "c",                                                              \
         "window in pixels; N means NxN; for models -W or -H alone keeps 4:3")                                          \
     ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcwvst", "no overwriting of existing files")                            \
     ROW(SHOW, "show", 0, NULL, "rws", "picture in the terminal (kitty, iTerm2, sixel)")                                \
@@ -48,7 +48,9 @@
     ROW(TOLERANCE, "tolerance", 0, "LENGTH", "c",                                                                      \
         "largest distance between the surfaces of models that count as the same (default: a millionth of the size)")   \
     ROW(ALIGN, "align", 0, "HOW", "c",                                                                                 \
-        "motion of the second model before: none, bounds, principal or icp (default: none)")
+        "motion of the second model before: none, bounds, principal or icp (default: none)")                           \
+    ROW(PICTURE, "picture", 0, "KIND", "c",                                                                            \
+        "picture of two models for -o: difference, deviation or side (default: difference)")
 #define GENERAL_OPTION_ROWS(ROW)                                                                                       \
     ROW(TYPE, "type", 0, "TYPE", DRAWING_COMMANDS,                                                                     \
         "format of FILE:" OPTIONS_TYPES " (default: by its ending, else by its bytes)")                                \

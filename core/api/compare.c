@@ -10,14 +10,26 @@
 
 struct zraster_comparison {
     bool is_same;
+    zraster_scene *scene; /* NULL: none was asked for */
     char json[];
 };
 
-/* Copies the answer, whose arena is given back. */
-static enum zr_status take(const struct zr_compare_answer *answer, zraster_comparison **out)
+/* Copies the answer. `result` holds its scene and becomes that of it. */
+static enum zr_status take(zraster *renderer, const struct zr_compare_answer *answer, struct zr_arena **result,
+                           zraster_comparison **out)
 {
     zraster_comparison *comparison = malloc(sizeof *comparison + answer->size + 1);
-    if (!comparison) return ZR_NO_MEMORY;
+    zraster_scene *scene = answer->scene ? malloc(sizeof *scene) : NULL;
+    if (!comparison || (answer->scene && !scene)) {
+        free(comparison);
+        free(scene);
+        return ZR_NO_MEMORY;
+    }
+    if (scene) {
+        *scene = (zraster_scene){.renderer = zr_renderer_use(renderer), .arena = *result, .kept = answer->scene};
+        *result = NULL;
+    }
+    comparison->scene = scene;
     comparison->is_same = answer->is_same;
     memcpy(comparison->json, answer->json, answer->size + 1);
     *out = comparison;
@@ -33,16 +45,21 @@ zraster_status zraster_compare(const zraster_scene *a, const zraster_scene *b, c
     zraster *renderer = a->renderer;
     *comparison = NULL;
     const locale_t before = zr_renderer_enter(renderer);
-    struct zr_arena *arena = zr_renderer_take(renderer, ZR_ARENA_SCRATCH, a->arena->held + b->arena->held);
-    if (arena) {
-        const struct zr_run run = {
-            .arena = arena, .team = zr_renderer_team(renderer), .cancel = zr_cancel_flag(cancel), .error = &faults};
-        arena->cancel = run.cancel;
+    struct zr_arena *scratch = zr_renderer_take(renderer, ZR_ARENA_SCRATCH, a->arena->held + b->arena->held),
+                    *result = zr_renderer_take(renderer, ZR_ARENA_RESULT, 0);
+    if (scratch && result) {
+        const struct zr_run run = {.arena = result,
+                                   .scratch = scratch,
+                                   .team = zr_renderer_team(renderer),
+                                   .cancel = zr_cancel_flag(cancel),
+                                   .error = &faults};
+        scratch->cancel = result->cancel = run.cancel;
         status = zr_compare(&run, zr_kept_scene(a->kept), zr_kept_scene(b->kept), query, &answer);
-        arena->cancel = NULL;
+        scratch->cancel = result->cancel = NULL;
     }
-    if (status == ZR_OK) status = take(&answer, comparison);
-    zr_renderer_give(renderer, arena, ZR_ARENA_SCRATCH);
+    if (status == ZR_OK) status = take(renderer, &answer, &result, comparison);
+    zr_renderer_give(renderer, result, ZR_ARENA_RESULT);
+    zr_renderer_give(renderer, scratch, ZR_ARENA_SCRATCH);
     zr_renderer_leave(before);
     return zr_error_give(status, &faults, error);
 }
@@ -57,7 +74,13 @@ int zraster_comparison_same(const zraster_comparison *comparison)
     return comparison->is_same;
 }
 
+const zraster_scene *zraster_comparison_scene(const zraster_comparison *comparison)
+{
+    return comparison->scene;
+}
+
 void zraster_comparison_free(zraster_comparison *comparison)
 {
+    if (comparison) zraster_scene_free(comparison->scene);
     free(comparison);
 }

@@ -238,7 +238,7 @@ ZRASTER_API void zraster_picture_free(zraster_picture *picture);
 
 /* ---- comparison of two models ----
  * Volumes that both share, distances between their surfaces, and what only one of them has, as JSON: "Comparing models" in
- * measure.md lists the keys. `query` may be NULL: "tolerance=0.01&precision=quick". `cancel` may be NULL. Both scenes
+ * measure.md lists the keys. `query` may be NULL: "tolerance=0.01&show=difference". `cancel` may be NULL. Both scenes
  * may be of different renderers; that of `a` compares. ZRASTER_BAD_SCENE: a scene has no faces. */
 
 ZRASTER_API zraster_status zraster_compare(const zraster_scene *a, const zraster_scene *b, const char *query,
@@ -246,6 +246,9 @@ ZRASTER_API zraster_status zraster_compare(const zraster_scene *a, const zraster
                                            zraster_error **error);
 ZRASTER_API const char *zraster_comparison_json(const zraster_comparison *comparison); /* the comparison's */
 ZRASTER_API int zraster_comparison_same(const zraster_comparison *comparison); /* 1: equal within the tolerance */
+/* Returns the scene that "show=difference", deviation or side asks for, to draw by zraster_scene_draw; NULL: none. It is
+ * the comparison's. */
+ZRASTER_API const zraster_scene *zraster_comparison_scene(const zraster_comparison *comparison);
 ZRASTER_API void zraster_comparison_free(zraster_comparison *comparison);
 
 /* ---- files that a file refers to ----

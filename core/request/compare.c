@@ -6,12 +6,27 @@
 #include "base/arena.h"
 #include "base/memory_error.h"
 #include "output/json/comparison_json.h"
+#include "request/compare_scene.h"
+#include "scene/picture.h"
 
 enum { VALUE_SIZE = 64 };
+
+struct wanted {
+    struct zr_comparison_options options;
+    enum zr_compare_show show;
+};
 
 static bool is_word(const char *text, size_t size, const char *word)
 {
     return strlen(word) == size && memcmp(text, word, size) == 0;
+}
+
+/* Returns the number of a word, or -1. */
+static int find_word(const char *text, size_t size, const char *const *words, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (is_word(text, size, words[i])) return i;
+    return -1;
 }
 
 /* Reads a number of at least 0. */
@@ -25,37 +40,40 @@ static bool read_length(const char *text, size_t size, double *out)
     return *end == '\0' && *out >= 0.0 && *out < HUGE_VAL;
 }
 
-static enum zr_status read_parameter(const char *text, size_t size, struct zr_comparison_options *out,
-                                     struct zr_error *error)
+static enum zr_status read_parameter(const char *text, size_t size, struct wanted *out, struct zr_error *error)
 {
     const char *equals = memchr(text, '=', size);
     const size_t name = equals ? (size_t)(equals - text) : size, length = equals ? size - name - 1 : 0;
     const char *value = equals ? equals + 1 : text + size;
     if (is_word(text, name, "tolerance")) {
-        if (read_length(value, length, &out->tolerance)) return ZR_OK;
+        if (read_length(value, length, &out->options.tolerance)) return ZR_OK;
         return zr_error_add(error, ZR_BAD_REQUEST, "tolerance", "a length of at least 0 is needed");
     }
     if (is_word(text, name, "precision")) {
-        out->is_quick = is_word(value, length, "quick");
-        if (out->is_quick || is_word(value, length, "full")) return ZR_OK;
+        out->options.is_quick = is_word(value, length, "quick");
+        if (out->options.is_quick || is_word(value, length, "full")) return ZR_OK;
         return zr_error_add(error, ZR_BAD_REQUEST, "precision", "one of: quick, full");
     }
     if (is_word(text, name, "align")) {
-        for (int i = 0; i < 4; i++)
-            if (is_word(value, length, zr_align_words[i])) {
-                out->align = (enum zr_align)i;
-                return ZR_OK;
-            }
+        const int found = find_word(value, length, zr_align_words, 4);
+        out->options.align = (enum zr_align)found;
+        if (found >= 0) return ZR_OK;
         return zr_error_add(error, ZR_BAD_REQUEST, "align", "one of: none, bounds, principal, icp");
     }
+    if (is_word(text, name, "show")) {
+        const int found = find_word(value, length, zr_compare_show_words, ZR_SHOW_COUNT);
+        out->show = (enum zr_compare_show)found;
+        if (found >= 0) return ZR_OK;
+        return zr_error_add(error, ZR_BAD_REQUEST, "show", "one of: none, difference, deviation, side");
+    }
     return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                        "unknown parameter; those of comparisons are align, precision, tolerance");
+                        "unknown parameter; those of comparisons are align, precision, show, tolerance");
 }
 
-static enum zr_status read_query(const char *query, struct zr_comparison_options *out, struct zr_error *error)
+static enum zr_status read_query(const char *query, struct wanted *out, struct zr_error *error)
 {
     enum zr_status status = ZR_OK;
-    *out = (struct zr_comparison_options){.tolerance = -1.0};
+    *out = (struct wanted){.options = {.tolerance = -1.0}};
     while (query && *query && status == ZR_OK) {
         const size_t size = strcspn(query, "&");
         if (size > 0) status = read_parameter(query, size, out, error);
@@ -64,18 +82,37 @@ static enum zr_status read_query(const char *query, struct zr_comparison_options
     return status;
 }
 
+/* True if z points up in the file. */
+static bool z_is_up(const struct zr_scene *scene)
+{
+    return scene->picture->z_is_up || (scene->file.up && strcmp(scene->file.up, "z") == 0);
+}
+
+static enum zr_status compare(const struct zr_run *run, const struct zr_scene *a, const struct zr_scene *b,
+                              const struct wanted *wanted, struct zr_compare_answer *answer)
+{
+    const struct zr_run inner = zr_run_in(run, run->scratch);
+    struct zr_comparison comparison;
+    struct zr_buffer buffer = {.arena = run->scratch};
+    enum zr_status status = zr_comparison_make(&inner, a, b, &wanted->options, &comparison);
+    if (status == ZR_OK) status = zr_comparison_json_write(&comparison, a, b, &buffer);
+    if (status == ZR_OK && !zr_buffer_add(&buffer, "", 1)) status = ZR_NO_MEMORY;
+    if (status == ZR_OK && wanted->show != ZR_SHOW_NONE)
+        status = zr_compare_scene_make(run, &comparison, wanted->show, z_is_up(a), &answer->scene);
+    answer->json = (const char *)buffer.bytes;
+    answer->size = status == ZR_OK ? buffer.size - 1 : 0;
+    answer->is_same = comparison.is_same;
+    return status;
+}
+
 enum zr_status zr_compare(const struct zr_run *run, const struct zr_scene *a, const struct zr_scene *b,
                           const char *query, struct zr_compare_answer *answer)
 {
-    struct zr_comparison_options options;
-    struct zr_comparison comparison;
-    struct zr_buffer buffer = {.arena = run->arena};
-    enum zr_status status = read_query(query, &options, run->error);
-    if (status == ZR_OK) status = zr_comparison_make(run, a, b, &options, &comparison);
-    if (status == ZR_OK) status = zr_comparison_json_write(&comparison, a, b, &buffer);
-    if (status == ZR_OK && !zr_buffer_add(&buffer, "", 1)) status = ZR_NO_MEMORY;
-    if (status == ZR_NO_MEMORY) return zr_memory_error_add(run->error, run->arena, "comparing", "");
-    if (status != ZR_OK) return status;
-    *answer = (struct zr_compare_answer){(const char *)buffer.bytes, buffer.size - 1, comparison.is_same};
-    return ZR_OK;
+    struct wanted wanted;
+    *answer = (struct zr_compare_answer){.json = NULL};
+    enum zr_status status = read_query(query, &wanted, run->error);
+    if (status == ZR_OK) status = compare(run, a, b, &wanted, answer);
+    if (status == ZR_NO_MEMORY && run->error->count == 0)
+        zr_memory_error_add(run->error, zr_arena_ok(run->scratch) ? run->arena : run->scratch, "comparing", "");
+    return status;
 }

@@ -6,17 +6,22 @@
 #include "base/status.h"
 #include "scene/scene.h"
 
+struct zr_kept; /* input/scene/kept.h */
+
 struct zr_compare_answer {
     const char *json; /* ends with a line feed and a zero */
     size_t size;
     bool is_same;
+    struct zr_kept *scene; /* that show= asks for; NULL: none */
 };
 
 /* Compares (measure/comparison.h). `query` may be NULL; its parameters are separated by "&":
  *   tolerance=LENGTH   both are the same if no place is farther from the other surface; at least 0
  *   precision=quick    fewer rays and points; else "full"
  *   align=none         b is moved before: bounds, principal or icp (measure/align.h)
- * Answer and scratch are in the arena. Fails with ZR_BAD_REQUEST for other parameters, or as zr_comparison_make. */
+ *   show=difference    makes a scene, too: deviation or side (request/compare_scene.h); else "none"
+ * The scene is in run->arena, which may be NULL without `show`; all else is in run->scratch. Fails with ZR_BAD_REQUEST for
+ * other parameters, or as zr_comparison_make. */
 enum zr_status zr_compare(const struct zr_run *run, const struct zr_scene *a, const struct zr_scene *b,
                           const char *query, struct zr_compare_answer *answer);
 

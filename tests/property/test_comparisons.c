@@ -1,6 +1,7 @@
 /* Comparisons of models by the library: numbers of the answer, files of other axes and origins, faults. */
 #include <cjson/cJSON.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -225,6 +226,51 @@ TEST_AROUND(other_units_are_told, open_renderer, close_renderer)
     cJSON_Delete(answer);
 }
 
+/* Counts the pixels that are more red, or more yellow, than grey. */
+static void count_colors(const zraster_picture *picture, uint32_t *red, uint32_t *amber, uint32_t *grey)
+{
+    struct zraster_array array;
+    assert_int_equal(zraster_picture_channel(picture, "color", &array), 1);
+    const uint8_t *rgba = array.data;
+    *red = *amber = *grey = 0;
+    for (size_t i = 0; i < array.shape[0] * array.shape[1]; i++, rgba += 4) {
+        const int warm = rgba[0] - rgba[2], yellow = rgba[1] - rgba[2];
+        *(warm < 60 ? grey : yellow > 50 ? amber : red) += 1;
+    }
+}
+
+TEST_AROUND(differences_are_drawn_in_their_colors, open_renderer, close_renderer)
+{
+    static const struct {
+        const char *show;
+        bool has_red, has_amber;
+    } rows[] = {{"show=difference", true, true}, {"show=side", true, true}, {"show=deviation", true, false}};
+    zraster_scene *a = read(obj(one, zero, (const double[3]){1, 1, 2}, 12), "obj"),
+                  *b = read(obj(two, zero, (const double[3]){2, 1, 1}, 12), "obj");
+    for (size_t i = 0; i < 3; i++) {
+        const struct zraster_request change = {.struct_size = sizeof change, .query = "width=200&height=150"};
+        zraster_comparison *comparison;
+        zraster_picture *picture;
+        uint32_t red, amber, grey;
+        assert_int_equal(zraster_compare(a, b, rows[i].show, NULL, &comparison, NULL), ZRASTER_OK);
+        const zraster_scene *scene = zraster_comparison_scene(comparison);
+        assert_non_null(scene);
+        assert_int_equal(zraster_scene_draw(scene, &change, &picture, NULL), ZRASTER_OK);
+        count_colors(picture, &red, &amber, &grey);
+        if ((red > 500) != rows[i].has_red || (amber > 500) != rows[i].has_amber || grey < 5000)
+            fail_msg("%s: %u red, %u amber, %u grey", rows[i].show, red, amber, grey);
+        if (zraster_picture_warning(picture, 0)) fail_msg("%s: %s", rows[i].show, zraster_picture_warning(picture, 0));
+        zraster_picture_free(picture);
+        zraster_comparison_free(comparison);
+    }
+    zraster_comparison *comparison;
+    assert_int_equal(zraster_compare(a, b, "show=none", NULL, &comparison, NULL), ZRASTER_OK);
+    assert_null(zraster_comparison_scene(comparison));
+    zraster_comparison_free(comparison);
+    zraster_scene_free(a);
+    zraster_scene_free(b);
+}
+
 TEST_AROUND(faults_are_told, open_renderer, close_renderer)
 {
     zraster_scene *scene = read(obj(one, zero, cube, 12), "obj"), *line = read("v 0 0 0\nv 1 0 0\nl 1 2\n", "obj");
@@ -234,8 +280,8 @@ TEST_AROUND(faults_are_told, open_renderer, close_renderer)
     assert_non_null(strstr(zraster_error_text(error), "b has no faces"));
     assert_null(comparison);
     zraster_error_free(error);
-    static const char *const wrong[] = {"tolerance=-1", "tolerance=", "tolerance=1x", "precision=low", "color=red",
-                                        "align=best",   "x"};
+    static const char *const wrong[] = {"tolerance=-1", "tolerance=", "tolerance=1x", "precision=low",
+                                        "color=red",    "align=best", "show=all",     "x"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         assert_int_equal(zraster_compare(scene, scene, wrong[i], NULL, &comparison, NULL), ZRASTER_BAD_REQUEST);
     zraster_cancel *cancel = zraster_cancel_new();
