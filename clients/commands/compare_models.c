@@ -13,7 +13,6 @@
 #include "files/neighbours.h"
 #include "files/output.h"
 #include "files/say.h"
-#include "options/parameters.h"
 #include "options/wording.h"
 
 enum { COLUMN = 18 };
@@ -221,15 +220,13 @@ static int check_output(const struct options *options)
 /* Draws the scene of a comparison and saves it. Returns an exit status. */
 static int save(const struct engine *engine, const struct options *options, const zraster_comparison *comparison)
 {
-    const char *out = options->own[OPTION_OUTPUT], *width = options->parameters[PARAMETER_width],
-               *height = options->parameters[PARAMETER_height];
+    const char *out = options->own[OPTION_OUTPUT];
     struct bytes names = {.data = NULL}, faults = {.data = NULL}, query = {.data = NULL};
     struct target target = target_of(options);
     struct answer answer = {.status = STATUS_DONE};
     zraster_error *error = NULL;
     int status = 0;
-    if (width) bytes_print(&query, "width=%s&", width);
-    if (height) bytes_print(&query, "height=%s", height);
+    if (options->own[OPTION_SIZE]) bytes_print(&query, "width=%s&height=%s", options->width, options->height);
     const struct zraster_request change = {
         .struct_size = sizeof change, .query = bytes_text(&query), .cancel = engine->cancel};
     if (zraster_scene_draw(zraster_comparison_scene(comparison), &change, &answer.picture, &error) != ZRASTER_OK ||

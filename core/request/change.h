@@ -14,7 +14,12 @@ struct zr_kept; /* input/scene/kept.h */
 enum zr_status zr_scene_keep(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
                              struct zr_kept **kept);
 
-/* The same without tables, for a scene that changes only if it has several views; other scenes are read as by
+/* Keeps a scene in JSON, whose assets stay as long as the arena. run->cancel ends reading. */
+enum zr_status zr_scene_keep_text(const struct zr_run *run, const char *text, size_t size,
+                                  const struct zr_asset *assets, size_t asset_count, const struct zr_limits *limits,
+                                  struct zr_kept **kept);
+
+/* The same as zr_scene_keep without tables, for a scene that changes only if it has several views; other scenes are read as by
  * zr_scene_read. */
 enum zr_status zr_scene_keep_for_views(const struct zr_run *run, const struct zr_request *request,
                                        const struct zr_limits *limits, struct zr_kept **kept);

@@ -6,7 +6,6 @@
 #include "measure/refined.h"
 #include "mesh/facts/ray_grid.h"
 #include "output/json/json_print.h"
-#include "render_request.h"
 #include "request/change.h"
 
 enum { MESHES_MOST = 4, NAME_SIZE = 8, SHARE = 64, FINE_SHARE = 384 };
@@ -138,6 +137,13 @@ static void print_material(struct zr_print *print, const char *name, const char 
     zr_print_end(print, '}');
 }
 
+static bool has_mesh(const struct showing *s, const char *name)
+{
+    for (uint32_t i = 0; i < s->count; i++)
+        if (strcmp(s->meshes[i].name, name) == 0) return true;
+    return false;
+}
+
 static void print_asset(struct zr_print *print, const char *key, const char *asset)
 {
     zr_print_begin(print, key, '{');
@@ -170,9 +176,9 @@ static bool print_scene(const struct showing *s, bool z_is_up, struct zr_buffer 
     if (z_is_up) zr_print_string(print, "up", "z");
     if (s->meshes[0].scalars) zr_print_bool(print, "colorBar", true);
     zr_print_begin(print, "materials", '[');
-    print_material(print, "common", "#d4d6d8");
-    print_material(print, "onlyA", "#f0a01e");
-    print_material(print, "onlyB", "#d73228");
+    if (has_mesh(s, "common")) print_material(print, "common", "#d4d6d8");
+    if (has_mesh(s, "onlyA")) print_material(print, "onlyA", "#f0a01e");
+    if (has_mesh(s, "onlyB")) print_material(print, "onlyB", "#d73228");
     zr_print_end(print, ']');
     zr_print_begin(print, "meshes", '[');
     for (uint32_t i = 0; i < s->count; i++)
@@ -209,13 +215,7 @@ static enum zr_status keep(const struct showing *s, bool z_is_up, struct zr_kept
         assets[count++] = asset_of(names[1], mesh->faces, ZR_U4, mesh->triangles, 3);
         if (mesh->scalars) assets[count++] = asset_of(names[2], mesh->scalars, ZR_F8, corners, 1);
     }
-    const struct zr_request request = {.format = ZR_FORMAT_JSON,
-                                       .bytes = (const char *)body.bytes,
-                                       .size = body.size,
-                                       .assets = assets,
-                                       .asset_count = count,
-                                       .cancel = s->run->cancel};
-    return zr_scene_keep(s->run, &request, &limits, scene);
+    return zr_scene_keep_text(s->run, (const char *)body.bytes, body.size, assets, count, &limits, scene);
 }
 
 enum zr_status zr_compare_scene_make(const struct zr_run *run, const struct zr_comparison *comparison,

@@ -316,8 +316,7 @@ static enum zr_status keep(const struct zr_run *run, const struct zr_request *re
     const struct zr_keeping keeping = {.into = made, .if_views = if_views};
     struct zr_request first = *request;
     if (request->frames && !if_views) first.bytes = zr_arena_copy(run->arena, request->bytes, request->size);
-    if (!zr_arena_ok(run->arena))
-        return zr_memory_error_add(run->error, run->arena, "the scene", "");
+    if (!zr_arena_ok(run->arena)) return zr_memory_error_add(run->error, run->arena, "the scene", "");
     made->images = images;
     *lasting = *request;
     made->request = lasting;
@@ -361,6 +360,19 @@ enum zr_status zr_scene_keep(const struct zr_run *run, const struct zr_request *
     if (status == ZR_NO_MEMORY)
         zr_error_add(run->error, status, NULL, "a scene needs more than %zu bytes", run->arena->ceiling);
     return status;
+}
+
+enum zr_status zr_scene_keep_text(const struct zr_run *run, const char *text, size_t size,
+                                  const struct zr_asset *assets, size_t asset_count, const struct zr_limits *limits,
+                                  struct zr_kept **kept)
+{
+    const struct zr_request request = {.format = ZR_FORMAT_JSON,
+                                       .bytes = text,
+                                       .size = size,
+                                       .assets = assets,
+                                       .asset_count = asset_count,
+                                       .cancel = run->cancel};
+    return zr_scene_keep(run, &request, limits, kept);
 }
 
 enum zr_status zr_scene_keep_for_views(const struct zr_run *run, const struct zr_request *request,
