@@ -166,11 +166,13 @@ static void measure(const struct zr_run *run, const struct zr_edge_mesh *edges, 
         zr_solid_places(out, t, p);
         const struct zr_world_place n =
             zr_world_place_cross(zr_world_place_minus(p[1], p[0]), zr_world_place_minus(p[2], p[0]));
-        const double volume = zr_world_place_dot(p[0], n) / 6.0;
-        out->area += 0.5 * sqrt(zr_world_place_dot(n, n));
+        const double volume = zr_world_place_dot(p[0], n); /* six times */
+        out->area += sqrt(zr_world_place_dot(n, n));
         out->volume += volume;
         volumes[edges->pieces[t]] += volume;
     }
+    out->area /= 2.0;
+    out->volume /= 6.0;
 }
 
 /* Counts the edges that are odd, and marks their pieces as open. Returns the number of edges that have not two

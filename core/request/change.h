@@ -3,6 +3,7 @@
 #define ZR_CHANGE_H
 
 #include "core.h"
+#include "format_rows.h"
 
 #include "base/run.h"
 
@@ -18,6 +19,25 @@ enum zr_status zr_scene_keep(const struct zr_run *run, const struct zr_request *
 enum zr_status zr_scene_keep_text(const struct zr_run *run, const char *text, size_t size,
                                   const struct zr_asset *assets, size_t asset_count, const struct zr_limits *limits,
                                   struct zr_kept **kept);
+
+/* A model file, and the files that it may refer to. */
+struct zr_scene_file {
+    enum zr_format format; /* ZR_FORMAT_UNKNOWN: detected */
+    const char *bytes;
+    size_t size;
+    const struct zr_asset *assets;
+    size_t asset_count;
+    const struct zr_stored *stored; /* NULL: no store */
+};
+
+/* Reads a file without parameters, as zr_scene_read does. */
+enum zr_status zr_scene_read_file(const struct zr_run *run, const struct zr_scene_file *file,
+                                  const struct zr_limits *limits, const struct zr_scene **scene);
+
+/* Makes a kept scene with other parameters alone, "look=clay&width=800"; texts live in run->arena. Fails as
+ * zr_scene_change. */
+enum zr_status zr_scene_change_query(const struct zr_run *run, const struct zr_kept *kept, const char *query,
+                                     const struct zr_scene **scene);
 
 /* The same as zr_scene_keep without tables, for a scene that changes only if it has several views; other scenes are read as by
  * zr_scene_read. */

@@ -13,7 +13,7 @@ enum { VALUE_SIZE = 64 };
 
 struct wanted {
     struct zr_comparison_options options;
-    enum zr_compare_show show;
+    struct zr_compare_picture picture;
 };
 
 static bool is_word(const char *text, size_t size, const char *word)
@@ -40,6 +40,22 @@ static bool read_length(const char *text, size_t size, double *out)
     return *end == '\0' && *out >= 0.0 && *out < HUGE_VAL;
 }
 
+static enum zr_status copy_word(const char *value, size_t size, const char *name, char out[ZR_COMPARE_WORD_SIZE],
+                                struct zr_error *error)
+{
+    if (size >= ZR_COMPARE_WORD_SIZE) return zr_error_add(error, ZR_BAD_REQUEST, name, "a name is needed");
+    memcpy(out, value, size);
+    out[size] = '\0';
+    return ZR_OK;
+}
+
+static const char *const parameters[] = {"align", "look", "precision", "show", "tolerance", "view"};
+
+bool zr_compare_has_parameter(const char *text)
+{
+    return find_word(text, strcspn(text, "=&"), parameters, sizeof parameters / sizeof *parameters) >= 0;
+}
+
 static enum zr_status read_parameter(const char *text, size_t size, struct wanted *out, struct zr_error *error)
 {
     const char *equals = memchr(text, '=', size);
@@ -62,12 +78,14 @@ static enum zr_status read_parameter(const char *text, size_t size, struct wante
     }
     if (is_word(text, name, "show")) {
         const int found = find_word(value, length, zr_compare_show_words, ZR_SHOW_COUNT);
-        out->show = (enum zr_compare_show)found;
+        out->picture.show = found;
         if (found >= 0) return ZR_OK;
         return zr_error_add(error, ZR_BAD_REQUEST, "show", "one of: none, difference, deviation, side");
     }
+    if (is_word(text, name, "look")) return copy_word(value, length, "look", out->picture.look, error);
+    if (is_word(text, name, "view")) return copy_word(value, length, "view", out->picture.view, error);
     return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                        "unknown parameter; those of comparisons are align, precision, show, tolerance");
+                        "unknown parameter; those of comparisons are align, look, precision, show, tolerance, view");
 }
 
 static enum zr_status read_query(const char *query, struct wanted *out, struct zr_error *error)
@@ -80,6 +98,28 @@ static enum zr_status read_query(const char *query, struct wanted *out, struct z
         query += size + (query[size] == '&');
     }
     return status;
+}
+
+static double triangles_of(const struct zr_scene *scene)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        sum += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
+    }
+    return sum;
+}
+
+double zr_compare_cost_ms(const struct zr_scene *a, const struct zr_scene *b, const char *query)
+{
+    const double triangles = triangles_of(a) + triangles_of(b);
+    struct zr_error error = {0};
+    struct wanted wanted;
+    if (read_query(query, &wanted, &error) != ZR_OK) return 0.0;
+    const double distances = wanted.options.is_quick ? 100.0 : 300.0,
+                 picture = wanted.picture.show != ZR_SHOW_NONE ? 600.0 + 0.01 * triangles : 0.0,
+                 motion = wanted.options.align != ZR_ALIGN_NONE ? 300.0 : 0.0;
+    return distances + 0.006 * triangles + picture + motion;
 }
 
 /* True if z points up in the file. */
@@ -97,8 +137,8 @@ static enum zr_status compare(const struct zr_run *run, const struct zr_scene *a
     enum zr_status status = zr_comparison_make(&inner, a, b, &wanted->options, &comparison);
     if (status == ZR_OK) status = zr_comparison_json_write(&comparison, a, b, &buffer);
     if (status == ZR_OK && !zr_buffer_add(&buffer, "", 1)) status = ZR_NO_MEMORY;
-    if (status == ZR_OK && wanted->show != ZR_SHOW_NONE)
-        status = zr_compare_scene_make(run, &comparison, wanted->show, z_is_up(a), &answer->scene);
+    if (status == ZR_OK && wanted->picture.show != ZR_SHOW_NONE)
+        status = zr_compare_scene_make(run, &comparison, &wanted->picture, z_is_up(a), &answer->scene);
     answer->json = (const char *)buffer.bytes;
     answer->size = status == ZR_OK ? buffer.size - 1 : 0;
     answer->is_same = comparison.is_same;

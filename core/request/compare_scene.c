@@ -105,7 +105,7 @@ static double range_of(const struct showing *s, const struct zr_refined *all)
     return ceil(value / unit - 1e-9) * unit;
 }
 
-static enum zr_status make_meshes(struct showing *s, enum zr_compare_show show)
+static enum zr_status make_meshes(struct showing *s, int show)
 {
     enum { NEAR = 1 << ZR_SURFACE_NEAR, OUTSIDE = 1 << ZR_SURFACE_OUTSIDE, INSIDE = 1 << ZR_SURFACE_INSIDE };
     struct zr_refined a = {.count = 0}, b;
@@ -168,11 +168,17 @@ static void print_mesh(struct zr_print *print, const struct showing *s, const st
     zr_print_end(print, '}');
 }
 
-static bool print_scene(const struct showing *s, bool z_is_up, struct zr_buffer *out)
+static bool print_scene(const struct showing *s, const struct zr_compare_picture *picture, bool z_is_up,
+                        struct zr_buffer *out)
 {
     struct zr_print root = {.out = out}, *print = &root;
     zr_print_begin(print, NULL, '{');
-    zr_print_string(print, "look", "studio");
+    zr_print_string(print, "look", *picture->look ? picture->look : "studio");
+    if (*picture->view) {
+        zr_print_begin(print, "view", '{');
+        zr_print_string(print, "preset", picture->view);
+        zr_print_end(print, '}');
+    }
     if (z_is_up) zr_print_string(print, "up", "z");
     if (s->meshes[0].scalars) zr_print_bool(print, "colorBar", true);
     zr_print_begin(print, "materials", '[');
@@ -197,12 +203,13 @@ static struct zr_asset asset_of(const char *name, const void *data, enum zr_numb
     return asset;
 }
 
-static enum zr_status keep(const struct showing *s, bool z_is_up, struct zr_kept **scene)
+static enum zr_status keep(const struct showing *s, const struct zr_compare_picture *picture, bool z_is_up,
+                           struct zr_kept **scene)
 {
     const struct zr_limits limits = zr_limits_default();
     struct zr_buffer body = {.arena = s->run->arena};
     struct zr_asset *assets = zr_arena_alloc(s->run->arena, 3 * (size_t)s->count, sizeof *assets);
-    if (!assets || !print_scene(s, z_is_up, &body)) return ZR_NO_MEMORY;
+    if (!assets || !print_scene(s, picture, z_is_up, &body)) return ZR_NO_MEMORY;
     size_t count = 0;
     for (uint32_t i = 0; i < s->count; i++) {
         const struct shown *mesh = &s->meshes[i];
@@ -219,14 +226,14 @@ static enum zr_status keep(const struct showing *s, bool z_is_up, struct zr_kept
 }
 
 enum zr_status zr_compare_scene_make(const struct zr_run *run, const struct zr_comparison *comparison,
-                                     enum zr_compare_show show, bool z_is_up, struct zr_kept **scene)
+                                     const struct zr_compare_picture *picture, bool z_is_up, struct zr_kept **scene)
 {
     const struct zr_run inner = zr_run_in(run, run->scratch);
     struct showing s = {.run = run, .c = comparison};
     enum zr_status status = zr_surface_tree_make(&inner, &comparison->a, &s.trees[0]);
     if (status == ZR_OK) status = zr_surface_tree_make(&inner, &comparison->b, &s.trees[1]);
-    if (status == ZR_OK) status = make_meshes(&s, show);
+    if (status == ZR_OK) status = make_meshes(&s, picture->show);
     if (status == ZR_OK && s.count == 0)
         status = zr_error_add(run->error, ZR_BAD_SCENE, NULL, "there is no surface to draw");
-    return status == ZR_OK ? keep(&s, z_is_up, scene) : status;
+    return status == ZR_OK ? keep(&s, picture, z_is_up, scene) : status;
 }

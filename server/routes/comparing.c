@@ -1,0 +1,224 @@
+#include "routes.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "body.h"
+#include "clock.h"
+#include "input/formats/formats.h"
+#include "jobs/slowness.h"
+#include "parts.h"
+#include "problem.h"
+#include "rendering.h"
+#include "request/change.h"
+#include "request/compare.h"
+#include "request/encode.h"
+#include "text.h"
+
+static const char sides[2][2] = {"a", "b"};
+
+bool comparing_open(const struct service *service, struct request *request, struct answer *answer)
+{
+    const char *type = request->content_type ? request->content_type : "", *fault;
+    (void)service;
+    if (!rendering_is_multipart(type))
+        problem_answer(answer, 415,
+                       "Content-Type has the value '%.80s'; multipart/form-data is expected, with the "
+                       "parts a and b",
+                       type);
+    else if (!multipart_boundary(type, request->boundary, &fault))
+        problem_answer(answer, 400, "%s", fault);
+    else
+        return true;
+    return false;
+}
+
+/* ---- the body ---- */
+
+struct comparing {
+    const struct work *work;
+    struct zr_run run;
+    struct zr_stored stored;
+    struct zr_asset *assets; /* parts other than a and b */
+    size_t asset_count;
+    const struct zr_scene *scenes[2];
+    char *numbers, *picture; /* parameters: of comparing, and of the picture */
+};
+
+/* Parts the query. False: the arena failed. */
+static bool split_query(struct comparing *c)
+{
+    const char *query = c->work->request->query ? c->work->request->query : "";
+    const size_t room = strlen(query) + 2;
+    c->numbers = zr_arena_zero(c->run.arena, room, 1);
+    c->picture = zr_arena_zero(c->run.arena, room, 1);
+    if (!zr_arena_ok(c->run.arena)) return false;
+    while (*query) {
+        const size_t size = strcspn(query, "&");
+        char *to = zr_compare_has_parameter(query) ? c->numbers : c->picture;
+        if (*to) strcat(to, "&");
+        strncat(to, query, size);
+        query += size + (query[size] == '&');
+    }
+    return true;
+}
+
+/* False: the answer has the error. */
+static bool find_format(const struct multipart_part *part, enum zr_format *format, struct answer *answer)
+{
+    char type[80] = "";
+    const bool fits = part->type && part->type_size < sizeof type;
+    if (fits) memcpy(type, part->type, part->type_size);
+    *format = zr_format_of_type(type);
+    if (*format != ZR_FORMAT_UNKNOWN || (part->type ? fits && zr_media_type_is_generic(type) : true)) return true;
+    problem_answer(answer, 400, "multipart/form-data: the part '%s' has the Content-Type '%.*s', which is none of: %s",
+                   part->name, (int)(part->type_size < 80 ? part->type_size : 80), part->type,
+                   zr_format_types_join().text);
+    return false;
+}
+
+/* Lists the parts other than a and b. False without memory. */
+static bool list_assets(struct comparing *c, const struct multipart *parts)
+{
+    c->assets = zr_arena_alloc(c->run.arena, MULTIPART_PARTS_MAX, sizeof *c->assets);
+    if (!c->assets) return false;
+    for (const struct multipart_part *part = parts->parts; part < parts->parts + parts->count; part++)
+        if (strcmp(part->name, sides[0]) != 0 && strcmp(part->name, sides[1]) != 0)
+            c->assets[c->asset_count++] =
+                (struct zr_asset){.name = part->name, .bytes = part->bytes, .size = part->size, .is_optional = true};
+    return true;
+}
+
+static void report(const struct comparing *c, enum zr_status status)
+{
+    struct answer *answer = c->work->answer;
+    if (status == ZR_NO_MEMORY)
+        problem_memory(answer, c->run.arena, NULL);
+    else if (status == ZR_CANCELLED)
+        problem_timeout(answer, c->work->service->config->render_timeout_ms);
+    else
+        problem_answer_error(answer, problem_http_status(status), c->run.error);
+}
+
+/* Reads a model. Faults begin with the name of its part. False: the answer has the error. */
+static bool read_side(struct comparing *c, const struct multipart *parts, int side)
+{
+    const struct multipart_part *part = multipart_find(parts, sides[side]);
+    struct zr_error error = {0};
+    struct zr_run run = zr_run_reporting(&c->run, &error);
+    struct zr_scene_file file = {.assets = c->assets, .asset_count = c->asset_count, .stored = &c->stored};
+    if (!part) {
+        problem_answer(c->work->answer, 400, "multipart/form-data: the part '%s' is missing", sides[side]);
+        return false;
+    }
+    if (!find_format(part, &file.format, c->work->answer)) return false;
+    file.bytes = part->bytes;
+    file.size = part->size;
+    const enum zr_status status = zr_scene_read_file(&run, &file, &c->work->service->limits, &c->scenes[side]);
+    for (size_t i = 0; i < zr_error_held(&error); i++)
+        zr_error_add(c->run.error, error.status, error.items[i].pointer, "%s: %s", sides[side], error.items[i].detail);
+    if (status != ZR_OK) report(c, status);
+    return status == ZR_OK;
+}
+
+/* ---- the answer ---- */
+
+static bool is_too_long(const struct comparing *c)
+{
+    const double ms =
+        zr_compare_cost_ms(c->scenes[0], c->scenes[1], c->numbers) * slowness_of(c->work->service->slowness, true);
+    c->work->times->predicted_ms = ms;
+    if (ms <= (double)c->work->service->config->cost_max_ms) return false;
+    problem_answer(c->work->answer, 422,
+                   "the work is predicted to take %.3g s of processor time, more than costMaxMs, %" PRIu64
+                   " ms: models with fewer triangles, or precision=quick, take less",
+                   1e-3 * ms, c->work->service->config->cost_max_ms);
+    return true;
+}
+
+static enum zr_status draw(struct comparing *c, const struct zr_kept *kept, struct zr_files *files)
+{
+    const struct zr_scene *scene;
+    const struct zr_frame *frame;
+    enum zr_status status = zr_scene_change_query(&c->run, kept, c->picture, &scene);
+    if (status == ZR_OK) status = zr_render(&c->run, scene, NULL, &frame);
+    if (status == ZR_OK) status = zr_encode_files(&c->run, scene, frame, NULL, files);
+    return status;
+}
+
+/* Answers with the numbers and all files of the picture. */
+static enum zr_status answer_both(const struct comparing *c, const struct zr_compare_answer *numbers,
+                                  const struct zr_files *picture)
+{
+    struct zr_files files = {.count = picture->count + 1};
+    files.entries = zr_arena_alloc(c->run.arena, files.count, sizeof *files.entries);
+    files.types = zr_arena_alloc(c->run.arena, files.count, sizeof *files.types);
+    if (!zr_arena_ok(c->run.arena)) return ZR_NO_MEMORY;
+    files.entries[0] = (struct zr_zip_entry){.name = "comparison.json", .bytes = numbers->json, .size = numbers->size};
+    files.types[0] = "application/json";
+    for (uint32_t i = 0; i < picture->count; i++) {
+        files.entries[i + 1] = picture->entries[i];
+        files.types[i + 1] = picture->types[i];
+    }
+    parts_answer(c->work->answer, c->work->request->parts, &files);
+    return ZR_OK;
+}
+
+static enum zr_status make_answer(struct comparing *c)
+{
+    struct zr_compare_answer numbers;
+    struct zr_files picture = {.count = 0};
+    enum zr_status status = zr_compare(&c->run, c->scenes[0], c->scenes[1], c->numbers, &numbers);
+    if (status != ZR_OK) return status;
+    if (!numbers.scene && *c->picture)
+        return zr_error_add(c->run.error, ZR_BAD_REQUEST, NULL,
+                            "query: '%.80s' is for a picture: show=difference asks "
+                            "for one",
+                            c->picture);
+    if (numbers.scene) status = draw(c, numbers.scene, &picture);
+    if (status != ZR_OK) return status;
+    if (!numbers.scene)
+        answer_copy(c->work->answer, "application/json", numbers.json, numbers.size);
+    else if (c->work->request->parts != ACCEPT_NO_PARTS)
+        status = answer_both(c, &numbers, &picture);
+    else {
+        struct zr_answer joined;
+        status = zr_files_join(c->run.arena, &picture, &joined, c->run.error);
+        if (status == ZR_OK) answer_copy(c->work->answer, joined.content_type, joined.bytes, joined.size);
+    }
+    if (status == ZR_OK && numbers.scene) answer_vary(c->work->answer, "Accept");
+    return status;
+}
+
+static enum request_next compare(struct comparing *c, const struct multipart *parts)
+{
+    const int64_t begin_us = clock_us();
+    if (!split_query(c) || !list_assets(c, parts)) {
+        problem_memory(c->work->answer, c->run.arena, NULL);
+        return REQUEST_ANSWERED;
+    }
+    if (!read_side(c, parts, 0) || !read_side(c, parts, 1) || is_too_long(c)) return REQUEST_ANSWERED;
+    const int64_t middle_us = clock_us();
+    const enum zr_status status = make_answer(c);
+    c->work->times->parse_ms = (double)(middle_us - begin_us) / 1000.0;
+    c->work->times->render_ms = (double)(clock_us() - middle_us) / 1000.0;
+    if (status != ZR_OK) report(c, status);
+    return REQUEST_ANSWERED;
+}
+
+enum request_next comparing_work(const struct work *work)
+{
+    struct zr_error error = {0};
+    struct multipart *parts;
+    struct comparing c = {.work = work,
+                          .run = {.arena = work->arena,
+                                  .scratch = work->arena,
+                                  .team = work->service->team,
+                                  .cancel = work->cancel,
+                                  .error = &error},
+                          .stored = assets_stored(work->service)};
+    if (work->request->small_only) return REQUEST_LARGE; /* takes longer than a small one in any case */
+    const enum request_next next = body_next(work, body_parts(work, &parts));
+    return next == REQUEST_WORK ? compare(&c, parts) : next;
+}
