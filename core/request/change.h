@@ -3,7 +3,6 @@
 #define ZR_CHANGE_H
 
 #include "core.h"
-#include "format_rows.h"
 
 #include "base/run.h"
 
@@ -22,7 +21,7 @@ enum zr_status zr_scene_keep_text(const struct zr_run *run, const char *text, si
 
 /* A model file, and the files that it may refer to. */
 struct zr_scene_file {
-    enum zr_format format; /* ZR_FORMAT_UNKNOWN: detected */
+    const char *type; /* media type; NULL, or a generic one: detected */
     const char *bytes;
     size_t size;
     const struct zr_asset *assets;
@@ -30,7 +29,7 @@ struct zr_scene_file {
     const struct zr_stored *stored; /* NULL: no store */
 };
 
-/* Reads a file without parameters, as zr_scene_read does. */
+/* Reads a file without parameters, as zr_scene_read does. Fails with ZR_BAD_TYPE for another type, too. */
 enum zr_status zr_scene_read_file(const struct zr_run *run, const struct zr_scene_file *file,
                                   const struct zr_limits *limits, const struct zr_scene **scene);
 

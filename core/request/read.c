@@ -396,13 +396,16 @@ enum zr_status zr_scene_change(const struct zr_run *run, const struct zr_kept *k
 enum zr_status zr_scene_read_file(const struct zr_run *run, const struct zr_scene_file *file,
                                   const struct zr_limits *limits, const struct zr_scene **scene)
 {
-    struct zr_request request = {.format = file->format,
+    struct zr_request request = {.format = file->type ? zr_format_of_type(file->type) : ZR_FORMAT_UNKNOWN,
                                  .bytes = file->bytes,
                                  .size = file->size,
                                  .assets = file->assets,
                                  .asset_count = file->asset_count,
                                  .cancel = run->cancel};
     if (file->stored) request.stored = *file->stored;
+    if (request.format == ZR_FORMAT_UNKNOWN && file->type && !zr_media_type_is_generic(file->type))
+        return zr_error_add(run->error, ZR_BAD_TYPE, NULL, "the type '%.80s' is none of: %s", file->type,
+                            zr_format_types_join().text);
     return zr_scene_read(run, &request, limits, scene);
 }
 

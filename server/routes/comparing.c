@@ -6,14 +6,12 @@
 
 #include "body.h"
 #include "clock.h"
-#include "input/formats/formats.h"
+#include "form.h"
 #include "jobs/slowness.h"
-#include "parts.h"
 #include "problem.h"
 #include "rendering.h"
 #include "request/change.h"
 #include "request/compare.h"
-#include "request/encode.h"
 #include "text.h"
 
 static const char sides[2][2] = {"a", "b"};
@@ -64,20 +62,6 @@ static bool split_query(struct comparing *c)
     return true;
 }
 
-/* False: the answer has the error. */
-static bool find_format(const struct multipart_part *part, enum zr_format *format, struct answer *answer)
-{
-    char type[80] = "";
-    const bool fits = part->type && part->type_size < sizeof type;
-    if (fits) memcpy(type, part->type, part->type_size);
-    *format = zr_format_of_type(type);
-    if (*format != ZR_FORMAT_UNKNOWN || (part->type ? fits && zr_media_type_is_generic(type) : true)) return true;
-    problem_answer(answer, 400, "multipart/form-data: the part '%s' has the Content-Type '%.*s', which is none of: %s",
-                   part->name, (int)(part->type_size < 80 ? part->type_size : 80), part->type,
-                   zr_format_types_join().text);
-    return false;
-}
-
 /* Lists the parts other than a and b. False without memory. */
 static bool list_assets(struct comparing *c, const struct multipart *parts)
 {
@@ -112,7 +96,11 @@ static bool read_side(struct comparing *c, const struct multipart *parts, int si
         problem_answer(c->work->answer, 400, "multipart/form-data: the part '%s' is missing", sides[side]);
         return false;
     }
-    if (!find_format(part, &file.format, c->work->answer)) return false;
+    if (part->type) {
+        char *type = zr_arena_zero(c->run.arena, part->type_size + 1, 1);
+        if (type) memcpy(type, part->type, part->type_size);
+        file.type = type;
+    }
     file.bytes = part->bytes;
     file.size = part->size;
     const enum zr_status status = zr_scene_read_file(&run, &file, &c->work->service->limits, &c->scenes[side]);
@@ -137,58 +125,45 @@ static bool is_too_long(const struct comparing *c)
     return true;
 }
 
-static enum zr_status draw(struct comparing *c, const struct zr_kept *kept, struct zr_files *files)
+static enum zr_status draw(struct comparing *c, const struct zr_kept *kept, struct zr_answer *picture)
 {
     const struct zr_scene *scene;
     const struct zr_frame *frame;
     enum zr_status status = zr_scene_change_query(&c->run, kept, c->picture, &scene);
     if (status == ZR_OK) status = zr_render(&c->run, scene, NULL, &frame);
-    if (status == ZR_OK) status = zr_encode_files(&c->run, scene, frame, NULL, files);
-    return status;
+    return status == ZR_OK ? zr_encode(&c->run, scene, frame, picture) : status;
 }
 
-/* Answers with the numbers and all files of the picture. */
-static enum zr_status answer_both(const struct comparing *c, const struct zr_compare_answer *numbers,
-                                  const struct zr_files *picture)
+/* Answers with the picture, or with the numbers and the picture. */
+static void answer_picture(const struct comparing *c, const struct zr_compare_answer *numbers,
+                           const struct zr_answer *picture)
 {
-    struct zr_files files = {.count = picture->count + 1};
-    files.entries = zr_arena_alloc(c->run.arena, files.count, sizeof *files.entries);
-    files.types = zr_arena_alloc(c->run.arena, files.count, sizeof *files.types);
-    if (!zr_arena_ok(c->run.arena)) return ZR_NO_MEMORY;
-    files.entries[0] = (struct zr_zip_entry){.name = "comparison.json", .bytes = numbers->json, .size = numbers->size};
-    files.types[0] = "application/json";
-    for (uint32_t i = 0; i < picture->count; i++) {
-        files.entries[i + 1] = picture->entries[i];
-        files.types[i + 1] = picture->types[i];
-    }
-    parts_answer(c->work->answer, c->work->request->parts, &files);
-    return ZR_OK;
+    struct answer *answer = c->work->answer;
+    const struct form_file files[2] = {{"comparison.json", "application/json", numbers->json, numbers->size},
+                                       {"picture.png", picture->content_type, picture->bytes, picture->size}};
+    if (c->work->request->parts == ACCEPT_NO_PARTS)
+        answer_copy(answer, picture->content_type, picture->bytes, picture->size);
+    else
+        form_answer(answer, c->work->request->parts, files, 2);
+    answer_vary(answer, "Accept");
 }
 
 static enum zr_status make_answer(struct comparing *c)
 {
     struct zr_compare_answer numbers;
-    struct zr_files picture = {.count = 0};
+    struct zr_answer picture;
     enum zr_status status = zr_compare(&c->run, c->scenes[0], c->scenes[1], c->numbers, &numbers);
     if (status != ZR_OK) return status;
     if (!numbers.scene && *c->picture)
         return zr_error_add(c->run.error, ZR_BAD_REQUEST, NULL,
-                            "query: '%.80s' is for a picture: show=difference asks "
-                            "for one",
-                            c->picture);
+                            "query: '%.80s' is for a picture: show=difference asks for one", c->picture);
     if (numbers.scene) status = draw(c, numbers.scene, &picture);
     if (status != ZR_OK) return status;
-    if (!numbers.scene)
+    if (numbers.scene)
+        answer_picture(c, &numbers, &picture);
+    else
         answer_copy(c->work->answer, "application/json", numbers.json, numbers.size);
-    else if (c->work->request->parts != ACCEPT_NO_PARTS)
-        status = answer_both(c, &numbers, &picture);
-    else {
-        struct zr_answer joined;
-        status = zr_files_join(c->run.arena, &picture, &joined, c->run.error);
-        if (status == ZR_OK) answer_copy(c->work->answer, joined.content_type, joined.bytes, joined.size);
-    }
-    if (status == ZR_OK && numbers.scene) answer_vary(c->work->answer, "Accept");
-    return status;
+    return ZR_OK;
 }
 
 static enum request_next compare(struct comparing *c, const struct multipart *parts)
