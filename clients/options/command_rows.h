@@ -21,7 +21,8 @@
         "not the same")                                                                                                \
     ROW(watch, 'w', "FILE [-o OUTPUT] [OPTION]...", "draws the file again whenever it changes")                        \
     ROW(mcp, 'm', "--root DIR [OPTION]...",                                                                            \
-        "serves the tools render, facts and pick to an agent, by the Model Context Protocol on standard input and "    \
+        "serves the tools render, facts, pick and compare to an agent, by the Model Context Protocol on standard "     \
+        "input and "                                                                                                   \
         "output")                                                                                                      \
     ROW(looks, 'l', "", "lists the looks")                                                                             \
     ROW(help, 'h', "[COMMAND|KEY|WORD]",                                                                               \

@@ -6,8 +6,11 @@
 
 #include "body.h"
 #include "clock.h"
+#include "comparing.h"
 #include "form.h"
 #include "jobs/slowness.h"
+#include "mcp/faults.h"
+#include "mcp/model.h"
 #include "problem.h"
 #include "rendering.h"
 #include "request/change.h"
@@ -112,16 +115,16 @@ static bool read_side(struct comparing *c, const struct multipart *parts, int si
 
 /* ---- the answer ---- */
 
-static bool is_too_long(const struct comparing *c)
+static bool is_too_long(const struct comparing *c, struct zr_error *error)
 {
     const double ms =
         zr_compare_cost_ms(c->scenes[0], c->scenes[1], c->numbers) * slowness_of(c->work->service->slowness, true);
     c->work->times->predicted_ms = ms;
     if (ms <= (double)c->work->service->config->cost_max_ms) return false;
-    problem_answer(c->work->answer, 422,
-                   "the work is predicted to take %.3g s of processor time, more than costMaxMs, %" PRIu64
-                   " ms: models with fewer triangles, or precision=quick, take less",
-                   1e-3 * ms, c->work->service->config->cost_max_ms);
+    zr_error_add(error, ZR_BAD_SCENE, NULL,
+                 "the work is predicted to take %.3g s of processor time, more than costMaxMs, %" PRIu64
+                 " ms: models with fewer triangles, or precision=quick, take less",
+                 1e-3 * ms, c->work->service->config->cost_max_ms);
     return true;
 }
 
@@ -173,7 +176,11 @@ static enum request_next compare(struct comparing *c, const struct multipart *pa
         problem_memory(c->work->answer, c->run.arena, NULL);
         return REQUEST_ANSWERED;
     }
-    if (!read_side(c, parts, 0) || !read_side(c, parts, 1) || is_too_long(c)) return REQUEST_ANSWERED;
+    if (!read_side(c, parts, 0) || !read_side(c, parts, 1)) return REQUEST_ANSWERED;
+    if (is_too_long(c, c->run.error)) {
+        report(c, ZR_BAD_SCENE);
+        return REQUEST_ANSWERED;
+    }
     const int64_t middle_us = clock_us();
     const enum zr_status status = make_answer(c);
     c->work->times->parse_ms = (double)(middle_us - begin_us) / 1000.0;
@@ -182,18 +189,80 @@ static enum request_next compare(struct comparing *c, const struct multipart *pa
     return REQUEST_ANSWERED;
 }
 
+static struct comparing begin(const struct work *work, struct zr_error *error)
+{
+    return (struct comparing){.work = work,
+                              .run = {.arena = work->arena,
+                                      .scratch = work->arena,
+                                      .team = work->service->team,
+                                      .cancel = work->cancel,
+                                      .error = error},
+                              .stored = assets_stored(work->service)};
+}
+
 enum request_next comparing_work(const struct work *work)
 {
     struct zr_error error = {0};
     struct multipart *parts;
-    struct comparing c = {.work = work,
-                          .run = {.arena = work->arena,
-                                  .scratch = work->arena,
-                                  .team = work->service->team,
-                                  .cancel = work->cancel,
-                                  .error = &error},
-                          .stored = assets_stored(work->service)};
+    struct comparing c = begin(work, &error);
     if (work->request->small_only) return REQUEST_LARGE; /* takes longer than a small one in any case */
     const enum request_next next = body_next(work, body_parts(work, &parts));
     return next == REQUEST_WORK ? compare(&c, parts) : next;
+}
+
+/* ---- agents ---- */
+
+static enum zr_status read_drawn(struct comparing *c, const struct mcp_draw *draw, int side)
+{
+    struct zr_asset asset = {.name = draw->file_name, .bytes = draw->file, .size = draw->file_size};
+    const struct zr_scene_file file = {.type = "application/json",
+                                       .bytes = draw->scene,
+                                       .size = draw->scene_size,
+                                       .assets = zr_arena_copy(c->run.arena, &asset, sizeof asset),
+                                       .asset_count = draw->file_name ? 1 : 0,
+                                       .stored = &c->stored};
+    return file.assets ? zr_scene_read_file(&c->run, &file, &c->work->service->limits, &c->scenes[side]) : ZR_NO_MEMORY;
+}
+
+static enum zr_status compare_drawn(struct comparing *c, const struct mcp_compare *compare,
+                                    struct mcp_compared *compared)
+{
+    struct zr_compare_answer numbers;
+    struct zr_answer picture = {.bytes = NULL};
+    c->numbers = zr_arena_copy(c->run.arena, compare->query, strlen(compare->query) + 1);
+    if (!c->numbers) return ZR_NO_MEMORY;
+    if (is_too_long(c, c->run.error)) return ZR_BAD_SCENE;
+    enum zr_status status = zr_compare(&c->run, c->scenes[0], c->scenes[1], c->numbers, &numbers);
+    c->picture = (char[]){"width=800&height=600"};
+    if (status == ZR_OK && numbers.scene) status = draw(c, numbers.scene, &picture);
+    compared->json = numbers.json;
+    compared->picture = picture.bytes;
+    compared->picture_size = picture.size;
+    return status;
+}
+
+static enum mcp_draw_status refuse(const struct comparing *c, enum zr_status status, int side,
+                                   struct mcp_compared *compared)
+{
+    if (status == ZR_CANCELLED) return MCP_CANCELLED;
+    for (size_t i = 0; i < zr_error_held(c->run.error); i++)
+        mcp_fault(&compared->faults, c->run.error->items[i].pointer, "%s", c->run.error->items[i].detail);
+    if (compared->faults.count == 0) mcp_fault(&compared->faults, "", "out of memory");
+    for (size_t i = 0; side >= 0 && i < compared->faults.count; i++)
+        mcp_side_point(compared->faults.at[i].pointer, side);
+    return MCP_REFUSED;
+}
+
+enum mcp_draw_status comparing_for_agent(const struct work *work, const struct mcp_compare *compare,
+                                         struct mcp_compared *compared)
+{
+    struct zr_error error = {0};
+    struct comparing c = begin(work, &error);
+    if (work->request->small_only) return MCP_LATER;
+    for (int i = 0; i < 2; i++) {
+        const enum zr_status status = read_drawn(&c, &compare->sides[i], i);
+        if (status != ZR_OK) return refuse(&c, status, i, compared);
+    }
+    const enum zr_status status = compare_drawn(&c, compare, compared);
+    return status == ZR_OK ? MCP_DRAWN : refuse(&c, status, -1, compared);
 }
