@@ -9,6 +9,7 @@
 #include "files/output.h"
 #include "files/pixels.h"
 #include "files/say.h"
+#include "files/ssim.h"
 
 struct difference {
     size_t pixels;
@@ -39,7 +40,8 @@ static void show(uint8_t rgb[3], const uint16_t *a, unsigned difference, unsigne
     rgb[1] = rgb[2] = difference ? (uint8_t)(128 - difference * 128 / white) : pale;
 }
 
-static struct difference compare(const struct pixels *a, const struct pixels *b, uint8_t *rgb)
+/* Counts the pixels that differ by more than `tolerance` steps. */
+static struct difference compare(const struct pixels *a, const struct pixels *b, unsigned tolerance, uint8_t *rgb)
 {
     struct difference found = {.pixels = 0};
     const unsigned white = a->is_16_bit ? 65535 : 255;
@@ -51,8 +53,8 @@ static struct difference compare(const struct pixels *a, const struct pixels *b,
                 const unsigned d = (unsigned)abs(a->rgba[k] - b->rgba[k]);
                 largest = d > largest ? d : largest;
             }
-            show(rgb + 3 * i, a->rgba + 4 * i, largest, white);
-            found.pixels += largest > 0;
+            show(rgb + 3 * i, a->rgba + 4 * i, largest > tolerance ? largest : 0, white);
+            found.pixels += largest > tolerance;
             if (largest <= found.largest) continue;
             found.largest = largest;
             found.at_x = x;
@@ -91,6 +93,37 @@ static int save(const struct options *options, const struct pixels *size, const 
     return status;
 }
 
+static void print_json(const struct pixels *size, const struct difference *found, double ssim)
+{
+    const size_t count = (size_t)size->width * size->height;
+    printf("{\"same\":%s,\"width\":%u,\"height\":%u,\"pixels\":%zu,\"differing\":%zu,\"share\":%.9g,\"largest\":%u,"
+           "\"of\":%u",
+           found->pixels ? "false" : "true", size->width, size->height, count, found->pixels,
+           (double)found->pixels / (double)count, found->largest, size->is_16_bit ? 65535u : 255u);
+    if (found->largest) printf(",\"at\":[%u,%u]", found->at_x, found->at_y);
+    if (ssim >= -1) printf(",\"ssim\":%.9g", ssim);
+    puts("}");
+}
+
+static void print(const struct options *options, const struct pixels *size, const struct difference *found, double ssim)
+{
+    const size_t count = (size_t)size->width * size->height;
+    const unsigned white = size->is_16_bit ? 65535 : 255;
+    if (options->own[OPTION_JSON]) {
+        print_json(size, found, ssim);
+        return;
+    }
+    if (found->pixels)
+        printf("%zu of %zu pixels differ (%.3g %%); the largest difference is %u of %u, at %u,%u", found->pixels, count,
+               100.0 * (double)found->pixels / (double)count, found->largest, white, found->at_x, found->at_y);
+    else if (found->largest)
+        printf("all %zu pixels are equal to within %u of %u", count, found->largest, white);
+    else
+        printf("all %zu pixels are equal", count);
+    if (found->largest && ssim >= -1) printf("; SSIM %.6g", ssim);
+    putchar('\n');
+}
+
 static int compare_pixels(const struct options *options, struct pixels *a, struct pixels *b)
 {
     const char *const *names = options->files;
@@ -109,20 +142,27 @@ static int compare_pixels(const struct options *options, struct pixels *a, struc
     const size_t count = (size_t)a->width * a->height;
     uint8_t *rgb = malloc(3 * count);
     if (!rgb) return STATUS_FAILED;
-    const struct difference found = compare(a, b, rgb);
-    if (found.pixels)
-        printf("%zu of %zu pixels differ (%.3g %%); the largest difference is %u of %u, at %u,%u\n", found.pixels,
-               count, 100.0 * (double)found.pixels / (double)count, found.largest, a->is_16_bit ? 65535u : 255u,
-               found.at_x, found.at_y);
-    else
-        printf("all %zu pixels are equal\n", count);
+    unsigned tolerance = 0;
+    if (options->own[OPTION_TOLERANCE]) tolerance = (unsigned)strtoul(options->own[OPTION_TOLERANCE], NULL, 10);
+    const struct difference found = compare(a, b, tolerance, rgb);
+    print(options, a, &found, ssim_of(a, b));
     const int status = options->own[OPTION_OUTPUT] ? save(options, a, rgb) : 0;
     free(rgb);
     return status ? status : found.pixels ? STATUS_DIFFERENT : STATUS_DONE;
 }
 
+/* Checks --tolerance, steps of a colour. Returns 0 or an exit status. */
+static int check_tolerance(const struct options *options)
+{
+    const char *text = options->own[OPTION_TOLERANCE];
+    if (!text || (*text && strlen(text) <= 5 && text[strspn(text, "0123456789")] == '\0')) return 0;
+    return options_wrong("--tolerance of pictures accepts steps of a colour, from 0 to 65535, not %s", text);
+}
+
 int compare_pictures(const struct options *options)
 {
+    const int wrong = check_tolerance(options);
+    if (wrong) return wrong;
     struct pixels a = {.width = 0}, b = {.width = 0};
     const bool ok = read_picture(options->files[0], &a) && read_picture(options->files[1], &b);
     const int status = ok ? compare_pixels(options, &a, &b) : STATUS_FAILED;

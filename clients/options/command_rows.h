@@ -47,7 +47,8 @@
         "every Nth file of the list, beginning with file I, from 0; the shards 0/N to N-1/N draw each file once")      \
     ROW(JSON, "json", 0, NULL, "ibc", "JSON on standard output: the facts, the numbers, or one line per file")         \
     ROW(TOLERANCE, "tolerance", 0, "LENGTH", "c",                                                                      \
-        "largest distance between the surfaces of models that count as the same (default: a millionth of the size)")   \
+        "largest distance between surfaces, or steps between colours, that count as the same (default: models: a "     \
+        "millionth of the size; pictures: 0)")                                                                         \
     ROW(ALIGN, "align", 0, "HOW", "c",                                                                                 \
         "motion of the second model before: none, bounds, principal or icp (default: none)")                           \
     ROW(PICTURE, "picture", 0, "KIND", "c",                                                                            \

@@ -35,7 +35,7 @@ static void warn_of_alignment(const struct zr_run *run, struct zr_comparison *c)
     if (c->alignment.is_mirrored)
         zr_warning_list_add(run->arena, &c->warnings, "a mirror image of b fits a much better than b does");
     if (c->alignment.ambiguous_count > 0)
-        zr_warning_list_add(run->arena, &c->warnings, "b fits a in %u more ways: alignment.ambiguous has them",
+        zr_warning_list_add(run->arena, &c->warnings, "b fits a in other ways, too: alignment.ambiguous has %u",
                             c->alignment.ambiguous_count);
 }
 

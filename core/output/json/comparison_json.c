@@ -50,7 +50,7 @@ static double plain(double value, double diagonal)
 static void add_volumes(struct line *line, const struct zr_comparison *c)
 {
     const double a = c->volumes.a.volume, b = c->volumes.b.volume;
-    if (c->volumes.error > 0.0)
+    if (c->volumes.error > 1e-9)
         add(line, "IoU %.*f \u00b1 %.1g", decimals_of(c->volumes.error), c->volumes.iou, c->volumes.error);
     else
         add(line, "IoU %.9g", c->volumes.iou);
