@@ -83,7 +83,7 @@ static void print_end(void)
         "\n--name=value is the same as --name value. Without its value, [BOOL] is true. Arguments after -- are files.\n"
         "Pictures, arrays and JSON go to files or standard output, all else goes to standard error.\n"
         "\nExit status: 0 done; 1 some file failed; 2 wrong command line; 3 warnings with --strict; 4 compare: "
-        "pictures differ; 130 interrupted.");
+        "pictures or models differ; 130 interrupted.");
 }
 
 void help_print(const struct command *command)

@@ -17,6 +17,7 @@
 #include "mcp/faults.h"
 #include "mcp/memory.h"
 #include "mcp/message.h"
+#include "mcp_compare.h"
 #include "mcp_files.h"
 
 /* LINE_MAX_BYTES: of a message. WAITING_MAX: messages that were read and not answered. IDS_MAX: cancelled ids that are
@@ -101,13 +102,6 @@ static void free_blocks(struct serving *serving)
         free(serving->blocks[--serving->block_count]);
 }
 
-static void take_faults(const zraster_error *error, struct mcp_faults *faults)
-{
-    for (size_t i = 0; i < zraster_error_count(error); i++)
-        mcp_fault(faults, zraster_error_pointer(error, i), "%s", zraster_error_detail(error, i));
-    if (faults->count == 0) mcp_fault(faults, "", "%s", zraster_error_text(error));
-}
-
 static enum mcp_draw_status draw_input(struct serving *serving, const struct input *input, struct mcp_drawn *drawn)
 {
     zraster_picture *picture = NULL;
@@ -121,7 +115,7 @@ static enum mcp_draw_status draw_input(struct serving *serving, const struct inp
         drawn->owner = picture;
         return MCP_DRAWN;
     }
-    take_faults(error, &drawn->faults);
+    mcp_compare_faults(error, &drawn->faults);
     zraster_error_free(error);
     zraster_picture_free(picture);
     return status == ZRASTER_CANCELLED ? MCP_CANCELLED : MCP_REFUSED;
@@ -147,6 +141,18 @@ static void release(void *context, struct mcp_drawn *drawn)
     zraster_picture_free(drawn->owner);
 }
 
+static enum mcp_draw_status compare(void *context, const struct mcp_compare *compare, struct mcp_compared *compared)
+{
+    const struct serving *serving = context;
+    return mcp_compare_here(&serving->engine, serving->root, compare, compared);
+}
+
+static void release_compared(void *context, struct mcp_compared *compared)
+{
+    (void)context;
+    mcp_compare_release(compared);
+}
+
 /* ---- answering ---- */
 
 static void answer(struct serving *serving, const struct bytes *line)
@@ -158,7 +164,9 @@ static void answer(struct serving *serving, const struct bytes *line)
                                   .cancel = zr_cancel_flag(serving->engine.cancel),
                                   .allocate = allocate,
                                   .draw = draw,
-                                  .release = release};
+                                  .release = release,
+                                  .compare = compare,
+                                  .release_compared = release_compared};
     struct mcp_reply reply;
     if (mcp_handle(&host, (struct mcp_span){line->data, line->data + line->size}, NULL, &reply) == MCP_DRAWN &&
         reply.text.size > 0 && !mcp_host_is_cancelled(&host)) {

@@ -4,6 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "input/images/image_read.h"
+
+enum { TEXELS_MAX = 1 << 28 };
+
 struct reading {
     const unsigned char *at, *end;
     struct bytes *faults;
@@ -67,9 +71,7 @@ static const char *format_of(const void *data, size_t size)
         const char *text;
         size_t size;
         const char *name;
-    } rows[] = {{"\xff\xd8\xff", 3, "a JPEG"},
-                {"RIFF", 4, "a WebP"},
-                {"GIF8", 4, "a GIF"},
+    } rows[] = {{"GIF8", 4, "a GIF"},
                 {"II*", 4, "a TIFF"},
                 {"\x93NUMPY", 6, "an NPY file"},
                 {"PF\n", 3, "a PFM file"},
@@ -82,11 +84,53 @@ static const char *format_of(const void *data, size_t size)
     return size ? "another file" : "empty";
 }
 
+bool pixels_are_in(const void *head, size_t size)
+{
+    static const struct {
+        const char *text;
+        size_t size;
+    } rows[] = {
+        {"\x89PNG\r\n\x1a\n", 8}, {"\xff\xd8\xff", 3}, {"RIFF", 4}, {"GIF8", 4}, {"II*", 4}, {"MM\0*", 4}, {"PF\n", 3},
+        {"\x93NUMPY", 6}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (begins(head, size, rows[i].text, rows[i].size)) return true;
+    return false;
+}
+
+/* Copies an image of the core. False without memory. */
+static bool take_image(struct pixels *pixels, const struct zr_image *image)
+{
+    const size_t count = 4 * (size_t)image->width * image->height;
+    *pixels = (struct pixels){.width = image->width, .height = image->height, .is_16_bit = image->bits == 16};
+    pixels->rgba = malloc(count * sizeof *pixels->rgba);
+    for (size_t i = 0; pixels->rgba && i < count; i++)
+        pixels->rgba[i] =
+            image->bits == 16 ? ((const uint16_t *)image->texels)[i] : ((const uint8_t *)image->texels)[i];
+    return pixels->rgba;
+}
+
+/* Decodes a JPEG or a WebP as textures are. */
+static bool read_lossy(struct pixels *pixels, const void *data, size_t size, struct bytes *faults)
+{
+    const struct zr_encoded_image file = {.bytes = data, .size = size, .texels_max = TEXELS_MAX};
+    struct zr_arena arena;
+    struct zr_image image;
+    struct zr_reason reason;
+    zr_arena_init(&arena, SIZE_MAX / 2);
+    const enum zr_status status = zr_image_read(&arena, &file, &image, &reason);
+    const bool ok = status == ZR_OK && take_image(pixels, &image);
+    if (!ok) bytes_print(faults, "%s", status == ZR_BAD_SCENE ? reason.text : "out of memory");
+    zr_arena_free(&arena);
+    return ok;
+}
+
 bool pixels_read(struct pixels *pixels, const void *data, size_t size, struct bytes *faults)
 {
     *pixels = (struct pixels){.width = 0};
+    if (begins(data, size, "\xff\xd8\xff", 3) || begins(data, size, "RIFF", 4))
+        return read_lossy(pixels, data, size, faults);
     if (!begins(data, size, "\x89PNG\r\n\x1a\n", 8)) {
-        bytes_print(faults, "it is %s: only PNGs are compared; draw it with the ending .png, or convert it",
+        bytes_print(faults, "it is %s: PNG, JPEG and WebP are compared; draw it with the ending .png, or convert it",
                     format_of(data, size));
         return false;
     }

@@ -16,10 +16,13 @@
         "draws several sides into one picture at one scale: --sheet threeView or balanced, or --views")                \
     ROW(turntable, 't', "FILE [-o OUTPUT] [OPTION]...",                                                                \
         "draws an animated PNG, WebP or GIF: the camera turns once around FILE")                                       \
-    ROW(compare, 'c', "A.png B.png [-o DIFF.png]", "counts the pixels that differ; exit status 4 if any do")           \
+    ROW(compare, 'c', "A B [-o DIFF.png] [OPTION]...",                                                                 \
+        "compares two models in numbers, or counts the pixels of two pictures that differ; exit status 4 if they are " \
+        "not the same")                                                                                                \
     ROW(watch, 'w', "FILE [-o OUTPUT] [OPTION]...", "draws the file again whenever it changes")                        \
     ROW(mcp, 'm', "--root DIR [OPTION]...",                                                                            \
-        "serves the tools render, facts and pick to an agent, by the Model Context Protocol on standard input and "    \
+        "serves the tools render, facts, pick and compare to an agent, by the Model Context Protocol on standard "     \
+        "input and "                                                                                                   \
         "output")                                                                                                      \
     ROW(looks, 'l', "", "lists the looks")                                                                             \
     ROW(help, 'h', "[COMMAND|KEY|WORD]",                                                                               \
@@ -34,7 +37,7 @@
         "file, folder or standard output; .svg: lines alone (default: FILE with another ending, in this folder; "      \
         "compare: "                                                                                                    \
         "none)")                                                                                                       \
-    ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS,                                                                  \
+    ROW(SIZE, "size", 's', "WxH|N", DRAWING_COMMANDS "c",                                                              \
         "window in pixels; N means NxN; for models -W or -H alone keeps 4:3")                                          \
     ROW(NO_CLOBBER, "no-clobber", 'n', NULL, "rbcwvst", "no overwriting of existing files")                            \
     ROW(SHOW, "show", 0, NULL, "rws", "picture in the terminal (kitty, iTerm2, sixel)")                                \
@@ -42,25 +45,32 @@
     ROW(LIST, "list", 0, "FILE", "b", "more files of the batch, one per line of FILE, as on standard input for -")     \
     ROW(SHARD, "shard", 0, "I/N", "b",                                                                                 \
         "every Nth file of the list, beginning with file I, from 0; the shards 0/N to N-1/N draw each file once")      \
-    ROW(JSON, "json", 0, NULL, "ib", "JSON on standard output: the facts, or one line per file")
+    ROW(JSON, "json", 0, NULL, "ibc", "JSON on standard output: the facts, the numbers, or one line per file")         \
+    ROW(TOLERANCE, "tolerance", 0, "LENGTH", "c",                                                                      \
+        "largest distance between surfaces, or steps between colours, that count as the same (default: models: a "     \
+        "millionth of the size; pictures: 0)")                                                                         \
+    ROW(ALIGN, "align", 0, "HOW", "c",                                                                                 \
+        "motion of the second model before: none, bounds, principal or icp (default: none)")                           \
+    ROW(PICTURE, "picture", 0, "KIND", "c",                                                                            \
+        "picture of two models for -o: difference, deviation or side (default: difference)")
 #define GENERAL_OPTION_ROWS(ROW)                                                                                       \
     ROW(TYPE, "type", 0, "TYPE", DRAWING_COMMANDS,                                                                     \
         "format of FILE:" OPTIONS_TYPES " (default: by its ending, else by its bytes)")                                \
     ROW(PART, "part", 0, "NAME=FILE", DRAWING_COMMANDS,                                                                \
         "file for {\"asset\": \"NAME\"} in a scene instead of the one beside it; repeatable")                          \
-    ROW(ROOT, "root", 0, "DIR", DRAWING_COMMANDS "m",                                                                  \
+    ROW(ROOT, "root", 0, "DIR", DRAWING_COMMANDS "mc",                                                                 \
         "folder of the files that FILE may refer to: models, textures (default: its own); mcp: of all files that it "  \
         "may read")                                                                                                    \
     ROW(SERVER, "server", 0, "URL", DRAWING_COMMANDS,                                                                  \
         "daemon that draws instead of this process (default: $ZRASTER_SERVER, else none)")                             \
     ROW(TOKEN_FILE, "token-file", 0, "FILE", DRAWING_COMMANDS,                                                         \
         "file whose first line is the server's token (default: $ZRASTER_TOKEN)")                                       \
-    ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS "m", "number of threads (default: all processors)")             \
-    ROW(MEMORY, "memory", 0, "SIZE|N%", DRAWING_COMMANDS "m",                                                          \
+    ROW(THREADS, "threads", 'j', "N", DRAWING_COMMANDS "mc", "number of threads (default: all processors)")            \
+    ROW(MEMORY, "memory", 0, "SIZE|N%", DRAWING_COMMANDS "mc",                                                         \
         "memory for scenes and their pictures, such as 8G or 50% of what the system can spare (default: 75%, at "      \
         "least 1G)")                                                                                                   \
-    ROW(MAX_FILE_BYTES, "max-file-bytes", 0, "N", DRAWING_COMMANDS, "largest input that is read (default: 8 GiB)")     \
-    ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS, "no warnings")                                                    \
+    ROW(MAX_FILE_BYTES, "max-file-bytes", 0, "N", DRAWING_COMMANDS "c", "largest input that is read (default: 8 GiB)") \
+    ROW(QUIET, "quiet", 'q', NULL, DRAWING_COMMANDS "c", "no warnings")                                                \
     ROW(VERBOSE, "verbose", 'v', NULL, DRAWING_COMMANDS, "line per output: name, size, look and times")                \
     ROW(PLAIN, "plain", 0, NULL, "rbwvst", "no progress on a terminal (also with the variable NO_COLOR)")              \
     ROW(HELP, "help", 'h', NULL, "ribcwlhvstm", "help of the command")                                                 \

@@ -60,8 +60,9 @@ extern "C" {
 typedef struct zraster zraster;                 /* a renderer: threads, limits, and memory kept for the next call */
 typedef struct zraster_scene zraster_scene;     /* a scene that was read; never changes; may be drawn many times */
 typedef struct zraster_picture zraster_picture; /* the channels of a drawing */
-typedef struct zraster_error zraster_error;     /* faults, with their places */
-typedef struct zraster_cancel zraster_cancel;   /* a flag that stops calls */
+typedef struct zraster_comparison zraster_comparison; /* the numbers of two models */
+typedef struct zraster_error zraster_error;           /* faults, with their places */
+typedef struct zraster_cancel zraster_cancel;         /* a flag that stops calls */
 
 /* ---- errors ----
  * Each call that can fail returns its status. Unless `error` is NULL, it also sets *error: to NULL after success, else
@@ -234,6 +235,21 @@ ZRASTER_API const char *zraster_picture_look(const zraster_picture *picture); /*
 ZRASTER_API const char *zraster_picture_warning(const zraster_picture *picture, size_t i);
 ZRASTER_API size_t zraster_picture_memory(const zraster_picture *picture); /* bytes, without its scene's */
 ZRASTER_API void zraster_picture_free(zraster_picture *picture);
+
+/* ---- comparison of two models ----
+ * Volumes that both share, distances between their surfaces, and what only one of them has, as JSON: "Comparing models" in
+ * measure.md lists the keys. `query` may be NULL: "tolerance=0.01&show=difference". `cancel` may be NULL. Both scenes
+ * may be of different renderers; that of `a` compares. ZRASTER_BAD_SCENE: a scene has no faces. */
+
+ZRASTER_API zraster_status zraster_compare(const zraster_scene *a, const zraster_scene *b, const char *query,
+                                           zraster_cancel *cancel, zraster_comparison **comparison,
+                                           zraster_error **error);
+ZRASTER_API const char *zraster_comparison_json(const zraster_comparison *comparison); /* the comparison's */
+ZRASTER_API int zraster_comparison_same(const zraster_comparison *comparison); /* 1: equal within the tolerance */
+/* Returns the scene that "show=difference", deviation or side asks for, to draw by zraster_scene_draw; NULL: none. It is
+ * the comparison's. */
+ZRASTER_API const zraster_scene *zraster_comparison_scene(const zraster_comparison *comparison);
+ZRASTER_API void zraster_comparison_free(zraster_comparison *comparison);
 
 /* ---- files that a file refers to ----
  * glTF, OBJ, MTL and scenes refer to other files, which a request needs as parts. Their names are paths from the folder

@@ -14,7 +14,31 @@ struct zr_kept; /* input/scene/kept.h */
 enum zr_status zr_scene_keep(const struct zr_run *run, const struct zr_request *request, const struct zr_limits *limits,
                              struct zr_kept **kept);
 
-/* The same without tables, for a scene that changes only if it has several views; other scenes are read as by
+/* Keeps a scene in JSON, whose assets stay as long as the arena. run->cancel ends reading. */
+enum zr_status zr_scene_keep_text(const struct zr_run *run, const char *text, size_t size,
+                                  const struct zr_asset *assets, size_t asset_count, const struct zr_limits *limits,
+                                  struct zr_kept **kept);
+
+/* A model file, and the files that it may refer to. */
+struct zr_scene_file {
+    const char *type; /* media type; NULL, or a generic one: detected */
+    const char *bytes;
+    size_t size;
+    const struct zr_asset *assets;
+    size_t asset_count;
+    const struct zr_stored *stored; /* NULL: no store */
+};
+
+/* Reads a file without parameters, as zr_scene_read does. Fails with ZR_BAD_TYPE for another type, too. */
+enum zr_status zr_scene_read_file(const struct zr_run *run, const struct zr_scene_file *file,
+                                  const struct zr_limits *limits, const struct zr_scene **scene);
+
+/* Makes a kept scene with other parameters alone, "look=clay&width=800"; texts live in run->arena. Fails as
+ * zr_scene_change. */
+enum zr_status zr_scene_change_query(const struct zr_run *run, const struct zr_kept *kept, const char *query,
+                                     const struct zr_scene **scene);
+
+/* The same as zr_scene_keep without tables, for a scene that changes only if it has several views; other scenes are read as by
  * zr_scene_read. */
 enum zr_status zr_scene_keep_for_views(const struct zr_run *run, const struct zr_request *request,
                                        const struct zr_limits *limits, struct zr_kept **kept);

@@ -15,6 +15,7 @@
 #include "input/query/axis_colors.h"
 #include "input/query/parameters.h"
 #include "input/query/part_select.h"
+#include "input/query/query_text.h"
 #include "input/query/zip_body.h"
 #include "input/root/change.h"
 #include "input/scene/kept.h"
@@ -364,6 +365,19 @@ enum zr_status zr_scene_keep(const struct zr_run *run, const struct zr_request *
     return status;
 }
 
+enum zr_status zr_scene_keep_text(const struct zr_run *run, const char *text, size_t size,
+                                  const struct zr_asset *assets, size_t asset_count, const struct zr_limits *limits,
+                                  struct zr_kept **kept)
+{
+    const struct zr_request request = {.format = ZR_FORMAT_JSON,
+                                       .bytes = text,
+                                       .size = size,
+                                       .assets = assets,
+                                       .asset_count = asset_count,
+                                       .cancel = run->cancel};
+    return zr_scene_keep(run, &request, limits, kept);
+}
+
 enum zr_status zr_scene_keep_for_views(const struct zr_run *run, const struct zr_request *request,
                                        const struct zr_limits *limits, struct zr_kept **kept)
 {
@@ -379,6 +393,32 @@ enum zr_status zr_scene_change(const struct zr_run *run, const struct zr_kept *k
     if (status == ZR_NO_MEMORY && run->error->count == 0)
         zr_error_add(run->error, status, NULL, "the change needs more than %zu bytes", run->arena->ceiling);
     return status == ZR_OK ? read_request(run, &request, &kept->limits, &keeping, scene) : status;
+}
+
+enum zr_status zr_scene_read_file(const struct zr_run *run, const struct zr_scene_file *file,
+                                  const struct zr_limits *limits, const struct zr_scene **scene)
+{
+    struct zr_request request = {.format = file->type ? zr_format_of_type(file->type) : ZR_FORMAT_UNKNOWN,
+                                 .bytes = file->bytes,
+                                 .size = file->size,
+                                 .assets = file->assets,
+                                 .asset_count = file->asset_count,
+                                 .cancel = run->cancel};
+    if (file->stored) request.stored = *file->stored;
+    if (request.format == ZR_FORMAT_UNKNOWN && file->type && !zr_media_type_is_generic(file->type))
+        return zr_error_add(run->error, ZR_BAD_TYPE, NULL, "the type '%.80s' is none of: %s", file->type,
+                            zr_format_types_join().text);
+    return zr_scene_read(run, &request, limits, scene);
+}
+
+enum zr_status zr_scene_change_query(const struct zr_run *run, const struct zr_kept *kept, const char *query,
+                                     const struct zr_scene **scene)
+{
+    struct zr_request change = {.format = ZR_FORMAT_JSON, .bytes = "{}", .size = 2, .cancel = run->cancel};
+    char *room = zr_arena_alloc(run->arena, zr_query_room(query), 1);
+    if (!room) return ZR_NO_MEMORY;
+    const enum zr_status status = zr_query_split(query, room, &change, run->error);
+    return status == ZR_OK ? zr_scene_change(run, kept, &change, scene) : status;
 }
 
 /* Reads the file of a kept scene at another time of its animation. */

@@ -104,14 +104,14 @@ const struct mcp_key mcp_part_keys[] = {
     {NULL, 0, NULL, NULL}};
 
 const struct mcp_key mcp_arguments[] = {
-    {"model", MCP_ALL_TOOLS,
+    {"model", MCP_MODEL_TOOLS,
      "{\"type\":\"object\",\"description\":\"The model, a file ($},\"additionalProperties\":false}", put_model},
-    {"scene", MCP_ALL_TOOLS,
+    {"scene", MCP_MODEL_TOOLS,
      OBJECT("A scene instead of a model, as POST /v1/render takes it, such as {'polygons': [{'vertices': "
             "[[0,0,0],[1,0,0],[0,1,0]]}]}. With a model, the scene names it by {'meshes': [{'asset': 'model'}]}, or "
             "by the name of its file if it is given by path. Arguments override the scene's keys."),
      NULL},
-    {"up", MCP_ALL_TOOLS,
+    {"up", MCP_MODEL_TOOLS,
      "{\"type\":\"string\",\"enum\":[\"y\",\"z\"],\"description\":\"Axis of the file that points up. Default: z for "
      "$, else y. It changes the names of sides, no coordinates. For CAD models with z up, say z.\"}",
      put_z_up},
@@ -127,7 +127,8 @@ const struct mcp_key mcp_arguments[] = {
      "views at one scale. balanced, the default without views: two corners from above and two from below, which show "
      "all sides. threeView: front, top, right and isometric. views: those of the argument.\"}",
      NULL},
-    {"look", MCP_DRAWING_TOOLS, STRING("$or NAME@VERSION, which pins its pixels. Default: studio."), put_looks},
+    {"look", MCP_DRAWING_TOOLS | 1 << MCP_COMPARE, STRING("$or NAME@VERSION, which pins its pixels. Default: studio."),
+     put_looks},
     {"materials", MCP_DRAWING_TOOLS,
      "{\"type\":\"string\",\"enum\":[\"look\",\"keep\"],\"description\":\"Materials of the file in the looks "
      "technical, "
@@ -158,6 +159,26 @@ const struct mcp_key mcp_arguments[] = {
      NULL},
     {"x", 1 << MCP_PICK, WHOLE("", "Column, from 0 at the left."), NULL},
     {"y", 1 << MCP_PICK, WHOLE("", "Row, from 0 at the top."), NULL},
+    {"a", 1 << MCP_COMPARE,
+     "{\"type\":\"object\",\"description\":\"The first model, a file ($},\"additionalProperties\":false}", put_model},
+    {"b", 1 << MCP_COMPARE,
+     "{\"type\":\"object\",\"description\":\"The second model, a file ($},\"additionalProperties\":false}", put_model},
+    {"align", 1 << MCP_COMPARE,
+     "{\"type\":\"string\",\"enum\":[\"none\",\"bounds\",\"principal\",\"icp\"],\"description\":\"Motion of b "
+     "before. bounds: the middles of the boxes meet. principal: turned and moved to the best place. icp: refined from "
+     "its place. Default: none.\"}",
+     NULL},
+    {"tolerance", 1 << MCP_COMPARE,
+     "{\"type\":\"number\",\"minimum\":0,\"description\":\"Largest distance between surfaces that are the same. "
+     "Default: a millionth of the size of a.\"}",
+     NULL},
+    {"show", 1 << MCP_COMPARE,
+     "{\"type\":\"string\",\"enum\":[\"none\",\"difference\",\"deviation\",\"side\"],\"description\":\"Picture. "
+     "difference, the default: common grey, only a amber, only b red. deviation: b coloured by its distance from a. "
+     "side: both side by side. none: numbers alone.\"}",
+     NULL},
+    {"view", 1 << MCP_COMPARE,
+     "{\"type\":\"string\",\"enum\":[$],\"description\":\"Side from which the picture is drawn.\"}", put_presets},
     {NULL, 0, NULL, NULL}};
 
 void mcp_keys_put(struct mcp_text *text, const struct mcp_key *keys, unsigned of, const struct mcp_host *host)

@@ -12,7 +12,8 @@
 #define MCP_TOOL_ROWS(ROW)                                                                                             \
     ROW(RENDER, true)                                                                                                  \
     ROW(FACTS, false)                                                                                                  \
-    ROW(PICK, true)
+    ROW(PICK, true)                                                                                                    \
+    ROW(COMPARE, false)
 
 #define MCP_TOOL(ID, draws) MCP_##ID,
 enum mcp_tool { MCP_TOOL_ROWS(MCP_TOOL) MCP_TOOLS };
@@ -22,6 +23,9 @@ enum mcp_tool { MCP_TOOL_ROWS(MCP_TOOL) MCP_TOOLS };
 #define MCP_DRAWING_TOOL(ID, draws) | (draws) << MCP_##ID
 enum { MCP_ALL_TOOLS = (1 << MCP_TOOLS) - 1, MCP_DRAWING_TOOLS = 0 MCP_TOOL_ROWS(MCP_DRAWING_TOOL) };
 #undef MCP_DRAWING_TOOL
+
+/* Those of one model. */
+enum { MCP_MODEL_TOOLS = MCP_ALL_TOOLS & ~(1 << MCP_COMPARE) };
 
 static inline bool mcp_draws(enum mcp_tool tool)
 {

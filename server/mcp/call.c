@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare.h"
 #include "faults.h"
 #include "memory.h"
 #include "shots.h"
@@ -270,12 +271,15 @@ enum mcp_draw_status mcp_call(const struct mcp_host *host, const struct mcp_mess
         return MCP_DRAWN;
     }
     enum mcp_draw_status status = MCP_REFUSED;
-    if (mcp_job_read(job, host, message, tool) && mcp_given_check(job))
+    if (tool == MCP_COMPARE) {
+        job->faults.count = 0;
+        status = mcp_compare_call(host, message, &job->faults, result);
+    } else if (mcp_job_read(job, host, message, tool) && mcp_given_check(job))
         status = tool == MCP_PICK ? pick(job, result) : show(job, result);
     else if (mcp_host_is_cancelled(host))
         status = MCP_CANCELLED;
     else if (job->faults.count == 0)
-        mcp_fault(&job->faults, "/model", "there is no memory for the model");
+        mcp_fault(&job->faults, tool == MCP_COMPARE ? "" : "/model", "there is no memory for the model");
     if (status == MCP_REFUSED) {
         put_faults(result, &job->faults);
         status = MCP_DRAWN;

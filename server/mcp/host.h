@@ -46,6 +46,20 @@ struct mcp_drawn {
     void *owner; /* the host's */
 };
 
+/* Two models to compare, each as a scene to draw. */
+struct mcp_compare {
+    struct mcp_draw sides[2];
+    const char *query; /* of comparing (request/compare.h) */
+};
+
+struct mcp_compared {
+    const char *json;    /* until `release_compared` */
+    const void *picture; /* NULL: none */
+    size_t picture_size;
+    struct mcp_faults faults; /* pointers into a model have the name of its argument: "/a/path" */
+    void *owner;              /* the host's */
+};
+
 struct mcp_host {
     void *context;
     const char *version;
@@ -55,6 +69,8 @@ struct mcp_host {
     void *(*allocate)(void *context, size_t size);    /* until the end of the message; NULL: out of memory */
     enum mcp_draw_status (*draw)(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn);
     void (*release)(void *context, struct mcp_drawn *drawn); /* after MCP_DRAWN */
+    enum mcp_draw_status (*compare)(void *context, const struct mcp_compare *compare, struct mcp_compared *compared);
+    void (*release_compared)(void *context, struct mcp_compared *compared); /* after MCP_DRAWN */
 };
 
 static inline bool mcp_host_is_cancelled(const struct mcp_host *host)

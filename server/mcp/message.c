@@ -30,15 +30,15 @@ static void cut(struct zr_json *json, struct cuts *cuts, enum zr_json_type type,
     *found = type == ZR_JSON_STRING ? inside_quotes(value) : value;
 }
 
-static void read_model(struct mcp_message *message, struct zr_json *json, struct cuts *cuts)
+static void read_model(struct zr_json *json, struct cuts *cuts, struct mcp_span *base64, struct mcp_span *text)
 {
     struct zr_json_text key;
     zr_json_enter(json, '{');
     while (zr_json_member(json, &key))
         if (zr_json_is(&key, "base64"))
-            cut(json, cuts, ZR_JSON_STRING, &message->base64);
+            cut(json, cuts, ZR_JSON_STRING, base64);
         else if (zr_json_is(&key, "text"))
-            cut(json, cuts, ZR_JSON_STRING, &message->text);
+            cut(json, cuts, ZR_JSON_STRING, text);
         else
             zr_json_skip(json);
 }
@@ -51,7 +51,11 @@ static void read_arguments(struct mcp_message *message, struct zr_json *json, st
         if (zr_json_is(&key, "scene"))
             cut(json, cuts, ZR_JSON_OBJECT, &message->scene);
         else if (zr_json_is(&key, "model") && zr_json_type(json) == ZR_JSON_OBJECT)
-            read_model(message, json, cuts);
+            read_model(json, cuts, &message->base64, &message->text);
+        else if (zr_json_is(&key, "a") && zr_json_type(json) == ZR_JSON_OBJECT)
+            read_model(json, cuts, &message->sides[0].base64, &message->sides[0].text);
+        else if (zr_json_is(&key, "b") && zr_json_type(json) == ZR_JSON_OBJECT)
+            read_model(json, cuts, &message->sides[1].base64, &message->sides[1].text);
         else
             zr_json_skip(json);
 }

@@ -34,6 +34,9 @@ struct mcp_message {
     /* In the text of the message. Of strings: between the quotes, as written. */
     struct mcp_span scene;        /* params.arguments.scene, an object */
     struct mcp_span base64, text; /* params.arguments.model.base64 and text, strings */
+    struct {
+        struct mcp_span base64, text;
+    } sides[2]; /* those of a and b */
     /* A reader of the text for places in it (zr_json_at), and its members. */
     struct zr_json json;
     struct zr_arena arena;

@@ -161,12 +161,10 @@ static const cJSON *find_source(const cJSON *given, struct mcp_faults *faults)
     return faults->count > before ? NULL : found;
 }
 
-bool mcp_model_read(const struct mcp_host *host, const struct mcp_message *message, struct mcp_model *model,
-                    struct mcp_faults *faults)
+/* Reads an object that is given. Faults have pointers into /model. */
+static bool read(const struct mcp_host *host, const cJSON *given, struct mcp_span base64, struct mcp_span text,
+                 struct mcp_model *model, struct mcp_faults *faults)
 {
-    const cJSON *given = mcp_get(message->arguments, "model");
-    *model = (struct mcp_model){.name = "model"};
-    if (!given) return true;
     if (!cJSON_IsObject(given))
         return mcp_fault(faults, "/model", "an object is expected, such as {\"%s\": ...}",
                          host->reads_files ? "path" : "base64");
@@ -179,9 +177,39 @@ bool mcp_model_read(const struct mcp_host *host, const struct mcp_message *messa
     else if (strcmp(source->string, "asset") == 0)
         is_read = take_asset(host, source->valuestring, model, faults);
     else if (strcmp(source->string, "base64") == 0)
-        is_read = decode(host, message->base64, model, faults);
+        is_read = decode(host, base64, model, faults);
     else
-        is_read = unescape(host, message->text, model);
+        is_read = unescape(host, text, model);
     model->z_is_up = mcp_model_is_z_up(model->path, model->bytes, model->size);
     return is_read;
+}
+
+bool mcp_model_read(const struct mcp_host *host, const struct mcp_message *message, struct mcp_model *model,
+                    struct mcp_faults *faults)
+{
+    const cJSON *given = mcp_get(message->arguments, "model");
+    *model = (struct mcp_model){.name = "model"};
+    return !given || read(host, given, message->base64, message->text, model, faults);
+}
+
+bool mcp_side_read(const struct mcp_host *host, const struct mcp_message *message, int side, struct mcp_model *model,
+                   struct mcp_faults *faults)
+{
+    const cJSON *given = mcp_get(message->arguments, side == 0 ? "a" : "b");
+    const size_t before = faults->count;
+    *model = (struct mcp_model){.name = "model"};
+    if (!given) return mcp_fault(faults, side == 0 ? "/a" : "/b", "the model is missing");
+    const bool is_read = read(host, given, message->sides[side].base64, message->sides[side].text, model, faults);
+    for (size_t i = before; i < faults->count; i++)
+        mcp_side_point(faults->at[i].pointer, side);
+    return is_read;
+}
+
+void mcp_side_point(char pointer[MCP_POINTER_SIZE], int side)
+{
+    static const char model[] = "/model";
+    const bool is_source = strncmp(pointer, model, sizeof model - 1) == 0;
+    char rest[MCP_POINTER_SIZE];
+    snprintf(rest, sizeof rest, "%s", is_source ? pointer + sizeof model - 1 : "");
+    snprintf(pointer, MCP_POINTER_SIZE, "/%c%.180s", side == 0 ? 'a' : 'b', rest);
 }

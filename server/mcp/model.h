@@ -19,4 +19,11 @@ struct mcp_model {
 bool mcp_model_read(const struct mcp_host *host, const struct mcp_message *message, struct mcp_model *model,
                     struct mcp_faults *faults);
 
+/* Turns a pointer into /model, or into the only mesh of a scene, into one into a (side 0) or b. */
+void mcp_side_point(char pointer[MCP_POINTER_SIZE], int side);
+
+/* Reads `a` (side 0) or `b` of MCP_COMPARE in the same way; both are required. */
+bool mcp_side_read(const struct mcp_host *host, const struct mcp_message *message, int side, struct mcp_model *model,
+                   struct mcp_faults *faults);
+
 #endif

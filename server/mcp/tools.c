@@ -3,7 +3,8 @@
 const char mcp_instructions[] =
     "zraster measures and draws 3D models. Measure before you look: facts gives box, volume, closedness, shells and "
     "parts without a picture. render draws pictures with numbers beside them; its default is one sheet of four views "
-    "from all sides at one scale. pick lists the surfaces at a pixel of such a picture. Coordinates are those of the "
+    "from all sides at one scale. pick lists the surfaces at a pixel of such a picture. compare tells where two models "
+    "differ: common volume, distances, regions. Coordinates are those of the "
     "file. The same call gives the same pixels on every machine.";
 
 /* ---- structured content ---- */
@@ -71,6 +72,15 @@ static const char pick_schema[] =
     ",\"front\":{\"type\":\"boolean\"},\"shown\":{\"type\":\"boolean\"}}}},\"views\":{\"type\":\"array\","
     "\"items\":" VIEW "},\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}}}";
 
+#define OBJECT "{\"type\":\"object\"}"
+static const char compare_schema[] =
+    "{\"type\":\"object\",\"required\":[\"summary\",\"same\",\"tolerance\",\"a\",\"b\",\"warnings\"],\"properties\":{"
+    "\"summary\":" TEXT ",\"same\":{\"type\":\"boolean\"},\"tolerance\":" NUMBER ",\"a\":" OBJECT ",\"b\":" OBJECT
+    ",\"alignment\":" OBJECT ",\"volume\":" OBJECT ",\"deviation\":" OBJECT
+    ",\"regions\":{\"type\":\"array\",\"description\":\"Connected regions that only one model has, the largest "
+    "first.\",\"items\":" OBJECT "},\"regionsOmitted\":{\"type\":\"integer\"},\"parts\":" OBJECT
+    ",\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}}}";
+
 /* ---- the list ---- */
 
 struct tool {
@@ -88,7 +98,11 @@ static const struct tool TOOLS[MCP_TOOLS] = {
     [MCP_PICK] = {"pick", "Look up a pixel",
                   "Lists the surfaces at a pixel of a picture, the nearest first: part, face, depth and point of each. "
                   "Repeat the arguments of render, and add image, x and y.",
-                  ",\"required\":[\"x\",\"y\"]", pick_schema}};
+                  ",\"required\":[\"x\",\"y\"]", pick_schema},
+    [MCP_COMPARE] = {"compare", "Compare two 3D models",
+                     "Compares two models: volumes that both share (IoU), distances between the surfaces, regions and "
+                     "parts that were added, removed or moved, and a picture of the differences.",
+                     ",\"required\":[\"a\",\"b\"]", compare_schema}};
 
 struct mcp_words mcp_tool_names(void)
 {

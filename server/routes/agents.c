@@ -8,6 +8,7 @@
 #include <cjson/cJSON.h>
 
 #include "body.h"
+#include "comparing.h"
 #include "gate/origin.h"
 #include "mcp/faults.h"
 #include "problem.h"
@@ -129,6 +130,17 @@ static void release(void *context, struct mcp_drawn *drawn)
     free(drawn->owner);
 }
 
+static enum mcp_draw_status compare(void *context, const struct mcp_compare *compare, struct mcp_compared *compared)
+{
+    return comparing_for_agent(context, compare, compared);
+}
+
+/* All is in the arena. */
+static void release_compared(void *context, struct mcp_compared *compared)
+{
+    (void)context, (void)compared;
+}
+
 /* ---- working ---- */
 
 static enum request_next answer_message(const struct work *work, const struct zr_request *body)
@@ -140,7 +152,9 @@ static enum request_next answer_message(const struct work *work, const struct zr
                                   .cancel = work->reading,
                                   .allocate = allocate,
                                   .draw = draw,
-                                  .release = release};
+                                  .release = release,
+                                  .compare = compare,
+                                  .release_compared = release_compared};
     const struct mcp_span message = {body->bytes, body->bytes + body->size};
     struct mcp_reply reply;
     switch (mcp_handle(&host, message, &work->request->mcp, &reply)) {

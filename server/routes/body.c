@@ -79,6 +79,12 @@ enum body_status body_split(const struct work *work, struct zr_request *render, 
     return BODY_REFUSED;
 }
 
+enum body_status body_parts(const struct work *work, struct multipart **parts)
+{
+    struct zr_request render;
+    return body_split(work, &render, parts);
+}
+
 /* Returns the part `scene`, or the only part, as forms of one file have it. NULL: the answer has the error. */
 static const struct multipart_part *find_scene(const struct multipart *parts, struct answer *answer)
 {

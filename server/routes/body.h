@@ -15,6 +15,9 @@ enum body_status {
 /* Decompresses the body into *render, whose other members are those of request->render, and finds its parts. */
 enum body_status body_split(const struct work *work, struct zr_request *render, struct multipart **parts);
 
+/* The same for routes that need the parts alone. */
+enum body_status body_parts(const struct work *work, struct multipart **parts);
+
 /* Fills *render from request->render, which stays unchanged. Memory comes from the arena. Of the cancellations, only
  * `reading` counts, which may be NULL. */
 enum body_status body_unpack(const struct work *work, struct zr_request *render);

@@ -237,6 +237,58 @@ static const char drake[] = ZR_SCHEMA({
     }
 });
 
+static const char compare[] = ZR_SCHEMA({
+    "/v1/compare": {
+        "post": {
+            "operationId": "compare", "tags": ["render"], "summary": "Compare two models",
+            "parameters": [
+                {
+                    "name": "align", "in": "query", "description": "Motion of b before.",
+                    "schema": {"enum": ["none", "bounds", "principal", "icp"]}
+                },
+                {
+                    "name": "tolerance", "in": "query", "description": "Largest distance of surfaces that are the same.",
+                    "schema": {"type": "number", "minimum": 0}
+                },
+                {
+                    "name": "precision", "in": "query", "description": "quick: fewer rays and points.",
+                    "schema": {"enum": ["full", "quick"]}
+                },
+                {
+                    "name": "show", "in": "query",
+                    "description": "Kind of a picture; parameters of /v1/render set its look and size.",
+                    "schema": {"enum": ["none", "difference", "deviation", "side"]}
+                }
+            ],
+            "requestBody": {
+                "required": true,
+                "content": {
+                    "multipart/form-data": {
+                        "schema": {
+                            "type": "object", "required": ["a", "b"],
+                            "properties": {
+                                "a": {"description": "First model.", "type": "string"},
+                                "b": {"description": "Second model.", "type": "string"}
+                            }
+                        }
+                    }
+                }
+            },
+            "responses": {
+                "200": {
+                    "description": "The numbers, a picture, or both.",
+                    "content": {
+                        "application/json": {"schema": {"type": "object"}},
+                        "image/png": {"schema": {"type": "string", "contentMediaType": "image/png"}},
+                        "multipart/mixed": {"schema": {"type": "string"}}
+                    }
+                },
+                "503": {"$ref": "#/components/responses/busy"}, "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    }
+});
+
 static const char health[] = ZR_SCHEMA({
     "/healthz": {
         "get": {
@@ -295,4 +347,4 @@ static const char health[] = ZR_SCHEMA({
     }
 });
 
-const char *const openapi_paths[] = {assets, contract, drake, health, page, NULL};
+const char *const openapi_paths[] = {assets, compare, contract, drake, health, page, NULL};

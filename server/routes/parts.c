@@ -7,6 +7,7 @@
 #include <sys/random.h>
 
 #include "clock.h"
+#include "form.h"
 
 enum { HEAD_SIZE = 4096, OUTPUTS_MAX = 64 /* pairs of channel and encoding */ };
 
@@ -149,4 +150,16 @@ void parts_answer(struct answer *answer, enum accept_parts parts, const struct z
     snprintf(type, sizeof type, "%s; boundary=%s", type_of(is_form), boundary);
     answer->status = 200;
     answer_body(answer, type, pen.to, pen.size);
+}
+
+void form_answer(struct answer *answer, enum accept_parts parts, const struct form_file *files, size_t count)
+{
+    struct zr_zip_entry entries[FORM_FILES_MAX];
+    const char *types[FORM_FILES_MAX];
+    const struct zr_files all = {.count = (uint32_t)count, .entries = entries, .types = types};
+    for (size_t i = 0; i < count; i++) {
+        entries[i] = (struct zr_zip_entry){.name = files[i].name, .bytes = files[i].bytes, .size = files[i].size};
+        types[i] = files[i].type;
+    }
+    parts_answer(answer, parts, &all);
 }

@@ -19,6 +19,12 @@ enum request_next rendering_work(const struct work *work);
 bool drake_open(const struct service *service, struct request *request, struct answer *answer);
 enum request_next drake_work(const struct work *work);
 
+/* POST /v1/compare: the numbers of two models, and with `show` a picture of their differences. A form has the parts a and
+ * b, and the files that these refer to. */
+#define COMPARE_PATH "/v1/compare"
+bool comparing_open(const struct service *service, struct request *request, struct answer *answer);
+enum request_next comparing_work(const struct work *work);
+
 /* Pictures that have an address:
  *
  *     GET, HEAD /v1/renders/{sha256}?parameters             the picture of a stored scene or model

@@ -189,6 +189,25 @@ check "16 bits are compared as they are" 0 "$zraster" compare d.png d.png
 check "and with 8 bits" 4 "$zraster" compare d.png a.png
 verdict "and scales to 16" grep -q 'of 65535' "$said"
 
+check "a tolerance passes over small differences" 0 "$zraster" compare a.png b.png --tolerance 255
+verdict "and says so with the SSIM" grep -qE '^all 1024 pixels are equal to within [0-9]+ of 255; SSIM 0\.' "$said"
+check "the numbers are JSON, too" 4 "$zraster" compare a.png b.png --json
+verdict "with counts" grep -qE '^\{"same":false,"width":32,"height":32,"pixels":1024,"differing":[0-9]+,.*"ssim":0\.' "$said"
+for ending in jpg webp; do
+    "$zraster" part.stl lossy.$ending -s 32 --quality 95
+    check "a $ending is compared, too" 4 "$zraster" compare a.png lossy.$ending
+    verdict "and is nearly the same" grep -qE 'SSIM 0\.9' "$said"
+done
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >corner.obj
+sed 's/^v 0 0 1/v 0 0 2/' corner.obj >taller.obj
+check "equal models" 0 "$zraster" compare corner.obj corner.obj
+verdict "are the same" grep -q '^IoU 1; .*; same$' "$said"
+check "different models end with 4" 4 "$zraster" compare corner.obj taller.obj -o models.png -s 64
+verdict "with numbers" grep -q '^IoU 0.5' "$said"
+verdict "and a picture" [ "$(size_of_png models.png)" = 64x64 ]
+check "--json has all numbers" 4 "$zraster" compare corner.obj taller.obj --json
+verdict "of the regions" grep -q '"regions":\[{"in":"b","volume":0.1' "$said"
+
 # batch
 mkdir -p many/deep
 for i in 01 02 03 04 05 06 07 08 09 10 11 12; do awk -v seed=$i 'BEGIN { for (k = 0; k < 40; k++) { a = k * 2.4 + seed; print "v", cos(a) * k, sin(a) * k, (k * seed) % 7 } for (k = 1; k < 39; k++) print "f", k, k + 1, k + 2 }' >many/m$i.obj; done

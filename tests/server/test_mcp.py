@@ -180,11 +180,11 @@ class Http(unittest.TestCase):
         self.assertEqual((result["cacheScope"], type(result["ttlMs"]), answer["id"]), ("public", int, 7))
 
     def test_list(self):
-        """tools/list names three tools that only read, the same bytes each time"""
+        """tools/list names four tools that only read, the same bytes each time"""
         first, second = (self.daemon.ask("tools/list") for _ in range(2))
         self.assertEqual(first, second)
         self.assertIn("ttlMs", first[1]["result"])
-        self.assertEqual(list(self.tools), ["render", "facts", "pick"])
+        self.assertEqual(list(self.tools), ["render", "facts", "pick", "compare"])
         for tool in self.tools.values():
             self.assertTrue(tool["annotations"]["readOnlyHint"])
             self.assertFalse(tool["annotations"]["openWorldHint"])
@@ -357,6 +357,29 @@ class Http(unittest.TestCase):
         content = self.call("facts", model={"base64": base64.b64encode(stl).decode()})["structuredContent"]
         self.assertEqual(content["box"]["max"], [1, 1, 2])  # z stays z
         self.assertEqual(self.call("facts", scene={"polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]})["structuredContent"]["area"], 0.5)
+
+    def test_compare(self):
+        """compare tells where two models differ: numbers first, a picture, all numbers; faults name the argument"""
+        longer = BOX.replace("20", "30")
+        result = self.call("compare", a={"text": BOX}, b={"base64": base64.b64encode(longer.encode()).decode()}, view="front")
+        content = result["structuredContent"]
+        self.assertAlmostEqual(content["volume"]["iou"], 2 / 3, 4)
+        self.assertEqual((content["a"]["volume"], content["b"]["volume"], content["same"]), (1000, 1500, False))
+        self.assertTrue(texts(result)[0].startswith("IoU 0.66"))
+        self.assertIn("\n- only in b: volume 5", texts(result)[0])
+        self.assertEqual([block["type"] for block in result["content"]], ["text", "image"])
+        moved = "".join(f"v {x + 5} {y} {z}\n" for x, y, z in (map(float, line.split()[1:]) for line in BOX.splitlines() if line.startswith("v ")))
+        moved += "".join(line + "\n" for line in BOX.splitlines() if not line.startswith("v "))
+        for arguments, same in (({}, False), ({"align": "bounds"}, True), ({"tolerance": 5.5}, True)):
+            result = self.call("compare", a={"text": BOX}, b={"text": moved}, show="none", **arguments)
+            self.assertEqual((result["structuredContent"]["same"], len(result["content"])), (same, 1))
+        self.refused("compare", ["/b: the model is missing"], a={"text": BOX})
+        self.refused("compare", ["/align: one of: none, bounds"], a={"text": BOX}, b={"text": BOX}, align="best")
+        self.refused("compare", ["/tolerance: a length"], a={"text": BOX}, b={"text": BOX}, tolerance=-1)
+        self.refused("compare", ["/b: "], a={"text": BOX}, b={"text": "nothing"})
+        self.refused("compare", ["/b/text: base64 is given, too"], a={"text": BOX}, b={"base64": "", "text": BOX})
+        self.refused("compare", ["/model: the argument 'model' is unknown"], a={"text": BOX}, b={"text": BOX}, model={"text": BOX})
+        self.refused("compare", ["b has no faces"], a={"text": BOX}, b={"text": "v 0 0 0\nv 1 0 0\nl 1 2\n"})
 
     def test_facts_of_shown_parts(self):
         """facts of a scene that hides or moves parts are those of what is shown, and say so"""
@@ -703,6 +726,8 @@ class Stdio(unittest.TestCase):
             for tool, arguments in (("facts", {}), ("render", {"views": ["front"]}), ("pick", {"x": 300, "y": 200}), ("render", {"look": "x"})):
                 arguments["model"] = {"text": ASSEMBLY}
                 self.assertEqual(self.pipe.call(tool, **arguments), daemon.call(tool, **arguments))
+            arguments = {"a": {"text": BOX}, "b": {"text": BOX.replace("20", "30")}}
+            self.assertEqual(self.pipe.call("compare", **arguments), daemon.call("compare", **arguments))
         finally:
             daemon.stop()
         self.assertEqual(self.pipe.ask("server/discover")["result"]["supportedVersions"], [MODERN])

@@ -12,6 +12,7 @@ import warnings as _warnings
 from typing import Any, Mapping, Optional
 
 from . import _library, _server
+from ._comparison import Comparison, compare
 from ._errors import (
     Cancelled,
     Error,
@@ -33,8 +34,8 @@ from ._scene import Scene
 from ._views import Views
 
 __all__ = [
-    "Cancel", "Cancelled", "Error", "Fault", "InternalError", "MemoryLimitError", "OptionError", "OptionTypeError",
-    "Picture", "Renderer", "Scene", "SceneError", "ServerError", "Views", "Warning", "options", "render", "rules",
+    "Cancel", "Cancelled", "Comparison", "Error", "Fault", "InternalError", "MemoryLimitError", "OptionError", "OptionTypeError",
+    "Picture", "Renderer", "Scene", "SceneError", "ServerError", "Views", "Warning", "compare", "options", "render", "rules",
 ]  # fmt: skip
 
 __version__: str = _library.library.version().decode()

@@ -2,35 +2,25 @@
 
 #include <string.h>
 
-#include "base/sort.h"
 #include "mesh/facts/closed_parts.h"
+#include "mesh/facts/ray_grid.h"
 
 enum {
     QUICK_MOST = 128, /* rays along the longest side of the quick grid, and least of it */
     QUICK_LEAST = 32,
     FINE = 256,
-    SLENDER = 8, /* the shorter side has at least this part of the rays of the longer one */
     WORK_PER_CANCEL_CHECK = 1 << 12,
-    SORTED_AT_ONCE = 1 << 12,
     SMALL = 1 << 18, /* bytes; smaller grids get blocks of SMALL_UNIT, so that the system clears fewer pages */
     SMALL_UNIT = 1 << 12,
     HEIGHT_SHIFT = 16, /* a crossing: height, 15 bits of |cosine|, sign */
     COSINES = (1 << 15) - 1
 };
 
-/* Steps of a height along a ray: 2^47 from one end of the box to the other. */
-#define HEIGHTS 0x1p47
-
 /* Intervals up to this thickness do not count, relative to the diagonal. */
 #define THIN 1e-6
 
 /* Share of the changes between neighbouring rays in the error. */
 #define CHANGES 0.02
-
-/* Directions of rays: rot((0.3, 0.5, 0.8), 37.3 degrees) rot((1, 0.2, 0.1), 19.1 degrees) */
-static const struct zr_world_place axes[3] = {{0.77179749535245268, -0.33749036023969281, 0.53891454138199235},
-                                              {0.56148016925650057, 0.75949794126626735, -0.32848576338099178},
-                                              {-0.29844370608101645, 0.55611431734633843, 0.77567275338446939}};
 
 /* Measures of the intervals on a ray: integrals of w, and of 1 where w is not 0. */
 struct lengths {
@@ -47,28 +37,15 @@ struct walk {
     struct zr_arena *arena;
     const struct zr_cancel *cancel;
     const struct zr_wall_faces *faces;
-    struct zr_world_place middle; /* of the box; places are relative to it */
-    struct zr_world_place u, v, d;
-    double half[3]; /* of the extents along u, v and d */
-    double steps;   /* of heights, per unit */
+    struct zr_ray_grid grid;
     double thin;
-    uint32_t columns, rows;
-    double width, height; /* of a cell */
-    uint32_t *ends;       /* per ray: end of its crossings, and before they are put, their begin */
+    uint32_t *ends; /* per ray: end of its crossings, and before they are put, their begin */
     uint64_t *crossings, *spare;
     struct lengths *lengths; /* per ray */
     uint64_t work, work_most, work_of_grid, next_look;
     bool is_stopped;
     uint32_t last_rays; /* of the last grid that was walked; 0: none */
     uint64_t last_work;
-};
-
-/* A triangle in the frame of a walk. Its plane has the height at[0].d + du u + dv v at (u, v) from at[0]. */
-struct facet {
-    struct {
-        double u, v, d;
-    } at[3];
-    double cosine, du, dv, low, high; /* lowest and highest corner, from at[0] */
 };
 
 static bool has_work(struct walk *w, uint64_t work)
@@ -84,46 +61,17 @@ static bool has_work(struct walk *w, uint64_t work)
 
 /* ---- triangles ---- */
 
-typedef void visit_fn(struct walk *w, const struct facet *facet, uint32_t row, uint32_t column, int sign);
-
-/* Returns the number of cells of `size` whose middles lie before `at`, at most `count`. */
-static uint32_t cells_before(double at, double half, double size, uint32_t count)
-{
-    const double cells = (at + half) / size + 0.5;
-    return cells <= 0.0 ? 0 : cells >= (double)count ? count : (uint32_t)cells;
-}
-
-/* Finds the columns at which the border of a triangle rises and falls on a row. False: it does not meet the row. */
-static bool find_columns(const struct walk *w, const struct facet *f, double v, uint32_t *rise, uint32_t *fall)
-{
-    int found = 0;
-    for (int k = 0; k < 3; k++) {
-        const int next = (k + 1) % 3;
-        if ((f->at[k].v <= v) == (f->at[next].v <= v)) continue;
-        const bool rises = f->at[k].v <= v;
-        const int low = rises ? k : next, high = rises ? next : k;
-        const double u =
-            f->at[low].u + (v - f->at[low].v) * (f->at[high].u - f->at[low].u) / (f->at[high].v - f->at[low].v);
-        *(rises ? rise : fall) = cells_before(u, w->half[0], w->width, w->columns);
-        found++;
-    }
-    return found == 2;
-}
+typedef void visit_fn(struct walk *w, const struct zr_ray_facet *facet, uint32_t row, uint32_t column, int sign);
 
 /* Visits the rays that cross a triangle. */
-static void visit_facet(struct walk *w, const struct facet *f, visit_fn *visit)
+static void visit_facet(struct walk *w, const struct zr_ray_facet *f, visit_fn *visit)
 {
-    double low = f->at[0].v, high = f->at[0].v;
-    for (int k = 1; k < 3; k++) {
-        low = zr_least_of(low, f->at[k].v);
-        high = zr_most_of(high, f->at[k].v);
-    }
-    const uint32_t begin = cells_before(low, w->half[1], w->height, w->rows),
-                   end = cells_before(high, w->half[1], w->height, w->rows);
+    uint32_t begin, end;
+    zr_ray_rows(&w->grid, f, &begin, &end);
     if (!has_work(w, 1 + (uint64_t)(end - begin))) return;
-    for (uint32_t row = begin > 0 ? begin - 1 : 0; row < end + 1 && row < w->rows; row++) {
+    for (uint32_t row = begin > 0 ? begin - 1 : 0; row < end + 1 && row < w->grid.rows; row++) {
         uint32_t rise, fall;
-        if (!find_columns(w, f, ((double)row + 0.5) * w->height - w->half[1], &rise, &fall)) continue;
+        if (!zr_ray_columns(&w->grid, f, row, &rise, &fall)) continue;
         const uint32_t from = rise < fall ? rise : fall, to = rise < fall ? fall : rise;
         if (!has_work(w, to - from)) return;
         for (uint32_t column = from; column < to; column++)
@@ -136,38 +84,18 @@ static struct zr_world_place place_of(const struct walk *w, uint32_t corner)
     const struct zr_wall_faces *faces = w->faces;
     struct zr_world_place at;
     zr_world_place_of(faces->object_to_world, faces->mesh->positions[faces->mesh->indices[corner]], &at);
-    return zr_world_place_minus(at, w->middle);
-}
-
-static void put_corner(const struct walk *w, struct zr_world_place at, struct facet *f, int corner)
-{
-    f->at[corner].u = zr_world_place_dot(w->u, at);
-    f->at[corner].v = zr_world_place_dot(w->v, at);
-    f->at[corner].d = zr_world_place_dot(w->d, at);
-}
-
-static void find_plane(struct facet *f)
-{
-    const struct zr_world_place a = {f->at[1].u - f->at[0].u, f->at[1].v - f->at[0].v, f->at[1].d - f->at[0].d},
-                                b = {f->at[2].u - f->at[0].u, f->at[2].v - f->at[0].v, f->at[2].d - f->at[0].d},
-                                n = zr_world_place_cross(a, b);
-    const double length = sqrt(zr_world_place_dot(n, n));
-    f->cosine = length > 0.0 ? fabs(n.z) / length : 0.0;
-    f->low = zr_least_of(0.0, zr_least_of(a.z, b.z));
-    f->high = zr_most_of(0.0, zr_most_of(a.z, b.z));
-    f->du = n.z != 0.0 ? -n.x / n.z : 0.0;
-    f->dv = n.z != 0.0 ? -n.y / n.z : 0.0;
+    return zr_world_place_minus(at, w->grid.middle);
 }
 
 static void visit_ring(struct walk *w, uint32_t begin, uint32_t end, bool is_turned, visit_fn *visit)
 {
-    struct facet f;
-    put_corner(w, place_of(w, begin), &f, 0);
+    struct zr_ray_facet f;
+    zr_ray_facet_put(&w->grid, place_of(w, begin), &f, 0);
     const int first = is_turned ? 2 : 1, last = 3 - first;
     for (uint32_t i = begin + 1; i + 1 < end && !w->is_stopped; i++) {
-        put_corner(w, place_of(w, i), &f, first);
-        put_corner(w, place_of(w, i + 1), &f, last);
-        find_plane(&f);
+        zr_ray_facet_put(&w->grid, place_of(w, i), &f, first);
+        zr_ray_facet_put(&w->grid, place_of(w, i + 1), &f, last);
+        zr_ray_facet_plane(&f);
         visit_facet(w, &f, visit);
     }
 }
@@ -183,50 +111,22 @@ static void visit_all(struct walk *w, visit_fn *visit)
     }
 }
 
-static void count_crossing(struct walk *w, const struct facet *f, uint32_t row, uint32_t column, int sign)
+static void count_crossing(struct walk *w, const struct zr_ray_facet *f, uint32_t row, uint32_t column, int sign)
 {
     (void)f;
     (void)sign;
-    w->ends[row * w->columns + column]++;
+    w->ends[row * w->grid.columns + column]++;
 }
 
 /* Puts the height of a triangle on a ray, within those of its corners. */
-static void put_crossing(struct walk *w, const struct facet *f, uint32_t row, uint32_t column, int sign)
+static void put_crossing(struct walk *w, const struct zr_ray_facet *f, uint32_t row, uint32_t column, int sign)
 {
-    const double u = ((double)column + 0.5) * w->width - w->half[0] - f->at[0].u,
-                 v = ((double)row + 0.5) * w->height - w->half[1] - f->at[0].v, d = f->du * u + f->dv * v;
-    const double height = (f->at[0].d + (d > f->low ? d < f->high ? d : f->high : f->low) + w->half[2]) * w->steps;
-    const double step = height > 0.0 ? height < HEIGHTS ? height : HEIGHTS : 0.0;
-    w->crossings[--w->ends[row * w->columns + column]] =
-        (uint64_t)step << HEIGHT_SHIFT | (uint64_t)(f->cosine * (double)COSINES + 0.5) << 1 | (sign > 0 ? 1u : 0u);
+    w->crossings[--w->ends[row * w->grid.columns + column]] = zr_ray_height(&w->grid, f, row, column) << HEIGHT_SHIFT |
+                                                              (uint64_t)(f->cosine * (double)COSINES + 0.5) << 1 |
+                                                              (sign > 0 ? 1u : 0u);
 }
 
 /* ---- rays ---- */
-
-static void merge(const uint64_t *from, uint32_t begin, uint32_t middle, uint32_t end, uint64_t *to)
-{
-    for (uint32_t i = begin, left = begin, right = middle; i < end; i++)
-        to[i] = left == middle || (right < end && from[right] < from[left]) ? from[right++] : from[left++];
-}
-
-/* Sorts in pieces, so that a cancelled request need not wait for many crossings of one ray. */
-static void sort_crossings(struct walk *w, uint64_t *at, uint32_t count)
-{
-    for (uint64_t i = 0; i < count; i += SORTED_AT_ONCE) {
-        if (!has_work(w, 0)) return;
-        zr_sort_u64(at + i, (uint32_t)(count - i < SORTED_AT_ONCE ? count - i : SORTED_AT_ONCE));
-        w->next_look = w->work;
-    }
-    for (uint64_t run = SORTED_AT_ONCE; run < count; run *= 2) {
-        for (uint64_t begin = 0; begin < count && has_work(w, 0); begin += 2 * run) {
-            const uint64_t middle = begin + run < count ? begin + run : count,
-                           end = begin + 2 * run < count ? begin + 2 * run : count;
-            merge(at, (uint32_t)begin, (uint32_t)middle, (uint32_t)end, w->spare);
-            w->next_look = w->work;
-        }
-        memcpy(at, w->spare, count * sizeof *at);
-    }
-}
 
 static double cosine_of(uint64_t crossing)
 {
@@ -246,7 +146,7 @@ static void add_interval(double from, double to, int winding, struct lengths *le
  * nearly equal, does not count. */
 static void add_ray(struct walk *w, uint32_t ray, const uint64_t *at, uint32_t count, struct sums *sums)
 {
-    const double unit = 2.0 * w->half[2] / HEIGHTS;
+    const double unit = 2.0 * w->grid.half[2] / ZR_RAY_HEIGHTS;
     struct lengths length = {0, 0}, moment = {0, 0};
     bool positive = false, negative = false;
     int winding = 0;
@@ -255,13 +155,13 @@ static void add_ray(struct walk *w, uint32_t ray, const uint64_t *at, uint32_t c
         if (winding == 0 || i + 1 == count) continue;
         const double from = (double)(at[i] >> HEIGHT_SHIFT) * unit, to = (double)(at[i + 1] >> HEIGHT_SHIFT) * unit;
         if ((to - from) * zr_least_of(cosine_of(at[i]), cosine_of(at[i + 1])) <= w->thin) continue;
-        add_interval(from - w->half[2], to - w->half[2], winding, &length, &moment);
+        add_interval(from - w->grid.half[2], to - w->grid.half[2], winding, &length, &moment);
         positive = positive || winding > 0;
         negative = negative || winding < 0;
     }
     if (winding != 0) return;
-    const double middle[2] = {((double)(ray % w->columns) + 0.5) * w->width - w->half[0],
-                              ((double)(ray / w->columns) + 0.5) * w->height - w->half[1]};
+    const double middle[2] = {((double)(ray % w->grid.columns) + 0.5) * w->grid.width - w->grid.half[0],
+                              ((double)(ray / w->grid.columns) + 0.5) * w->grid.height - w->grid.half[1]};
     w->lengths[ray] = length;
     sums->has_positive = sums->has_positive || positive;
     sums->has_negative = sums->has_negative || negative;
@@ -278,34 +178,9 @@ static void add_ray(struct walk *w, uint32_t ray, const uint64_t *at, uint32_t c
 
 /* ---- grids ---- */
 
-/* Returns half the extent of the box along an axis, and a little more, so that no corner lies on the border. */
-static double half_along(struct zr_world_place axis, const double half[3])
-{
-    return ((fabs(axis.x) * half[0] + fabs(axis.y) * half[1]) + fabs(axis.z) * half[2]) * (1.0 + 1e-9);
-}
-
-/* Turns the rays of a walk. `half`: half of the box's sides. */
-static void turn_to(struct walk *w, int direction, const double half[3])
-{
-    w->d = axes[direction];
-    w->u = axes[(direction + 1) % 3];
-    w->v = axes[(direction + 2) % 3];
-    w->half[0] = half_along(w->u, half);
-    w->half[1] = half_along(w->v, half);
-    w->half[2] = half_along(w->d, half);
-    w->steps = HEIGHTS / (2.0 * w->half[2]);
-}
-
 static void begin_grid(struct walk *w, uint32_t rays)
 {
-    const double longest = zr_most_of(w->half[0], w->half[1]);
-    const uint32_t least = rays / SLENDER > 0 ? rays / SLENDER : 1;
-    w->columns = (uint32_t)((double)rays * w->half[0] / longest + 0.5);
-    w->rows = (uint32_t)((double)rays * w->half[1] / longest + 0.5);
-    if (w->columns < least) w->columns = least;
-    if (w->rows < least) w->rows = least;
-    w->width = 2.0 * w->half[0] / (double)w->columns;
-    w->height = 2.0 * w->half[1] / (double)w->rows;
+    zr_ray_grid_divide(&w->grid, rays);
     w->work_most = rays > 1 ? w->work_of_grid : UINT64_MAX;
     w->is_stopped = false;
     w->work = w->next_look = 0;
@@ -336,7 +211,7 @@ static uint64_t work_of_sorting(size_t count, uint32_t most)
 /* Counts the crossings of a grid, and takes room for them. False if it is too fine. */
 static bool count_crossings(struct walk *w)
 {
-    const uint32_t rays = w->columns * w->rows;
+    const uint32_t rays = w->grid.columns * w->grid.rows;
     uint32_t most;
     const size_t own = rays * (sizeof *w->ends + sizeof *w->lengths);
     if (zr_arena_block_bytes(own) > zr_arena_left(w->arena)) return false;
@@ -356,12 +231,13 @@ static bool count_crossings(struct walk *w)
 
 static void add_rays(struct walk *w, struct sums *sums)
 {
-    const uint32_t rays = w->columns * w->rows, end_of_all = (uint32_t)(w->spare - w->crossings);
+    const uint32_t rays = w->grid.columns * w->grid.rows, end_of_all = (uint32_t)(w->spare - w->crossings);
     w->work = w->next_look = 0;
     visit_all(w, put_crossing);
     for (uint32_t i = 0; i < rays && !w->is_stopped; i++) {
         const uint32_t begin = w->ends[i], end = i + 1 < rays ? w->ends[i + 1] : end_of_all;
-        sort_crossings(w, w->crossings + begin, end - begin);
+        zr_ray_sort(w->crossings + begin, end - begin, w->spare, w->cancel);
+        if (end - begin > WORK_PER_CANCEL_CHECK) w->next_look = w->work;
         if (has_work(w, 0)) add_ray(w, i, w->crossings + begin, end - begin, sums);
     }
 }
@@ -375,16 +251,17 @@ static double excess_of(const struct lengths *lengths, double sign)
 static double changes_of(const struct walk *w, double sign)
 {
     double sum = 0.0;
-    for (uint32_t i = 0; i < w->columns * w->rows; i++) {
-        const uint32_t row = i / w->columns, column = i % w->columns;
-        const uint32_t others[4] = {column > 0 ? i - 1 : i, column + 1 < w->columns ? i + 1 : i,
-                                    row > 0 ? i - w->columns : i, row + 1 < w->rows ? i + w->columns : i};
+    for (uint32_t i = 0; i < w->grid.columns * w->grid.rows; i++) {
+        const uint32_t row = i / w->grid.columns, column = i % w->grid.columns;
+        const uint32_t others[4] = {column > 0 ? i - 1 : i, column + 1 < w->grid.columns ? i + 1 : i,
+                                    row > 0 ? i - w->grid.columns : i,
+                                    row + 1 < w->grid.rows ? i + w->grid.columns : i};
         double most = 0.0;
         for (int k = 0; k < 4; k++)
             most = zr_most_of(most, fabs(excess_of(&w->lengths[i], sign) - excess_of(&w->lengths[others[k]], sign)));
         sum += most;
     }
-    return 0.5 * sum * w->width * w->height;
+    return 0.5 * sum * w->grid.width * w->grid.height;
 }
 
 /* True if a grid takes too much work, by that of the last one. Crossings grow with the square of the rays. */
@@ -420,14 +297,14 @@ static bool measure(struct walk *w, double sign, double *volume, struct zr_overl
     w->arena = &scratch;
     const bool is_done = walk_grid(w, FINE, &sums);
     if (is_done) {
-        const double cell = w->width * w->height, u = excess_of(&sums.moment[0], sign) * cell,
+        const double cell = w->grid.width * w->grid.height, u = excess_of(&sums.moment[0], sign) * cell,
                      v = excess_of(&sums.moment[1], sign) * cell, d = excess_of(&sums.moment[2], sign) * cell;
         *volume = excess_of(&sums.volume, sign) * cell;
         out->volume += *volume / 3.0;
         out->error += CHANGES * changes_of(w, sign) / 3.0;
-        out->moment[0] += ((w->u.x * u + w->v.x * v) + w->d.x * d) / 3.0;
-        out->moment[1] += ((w->u.y * u + w->v.y * v) + w->d.y * d) / 3.0;
-        out->moment[2] += ((w->u.z * u + w->v.z * v) + w->d.z * d) / 3.0;
+        out->moment[0] += ((w->grid.u.x * u + w->grid.v.x * v) + w->grid.d.x * d) / 3.0;
+        out->moment[1] += ((w->grid.u.y * u + w->grid.v.y * v) + w->grid.d.y * d) / 3.0;
+        out->moment[2] += ((w->grid.u.z * u + w->grid.v.z * v) + w->grid.d.z * d) / 3.0;
     }
     w->arena = arena;
     zr_arena_close_scratch(&scratch, arena);
@@ -459,20 +336,20 @@ bool zr_overlap_find(struct zr_arena *arena, const struct zr_cancel *cancel, con
     struct walk w = {.arena = arena, .cancel = cancel, .faces = faces, .work_of_grid = box->work};
     double sign, volumes[3];
     *out = (struct zr_overlap){.is_found = false};
-    w.middle = (struct zr_world_place){box->min[0] + half[0], box->min[1] + half[1], box->min[2] + half[2]};
+    w.grid.middle = (struct zr_world_place){box->min[0] + half[0], box->min[1] + half[1], box->min[2] + half[2]};
     w.thin = 2.0 * THIN * sqrt((half[0] * half[0] + half[1] * half[1]) + half[2] * half[2]);
     if (w.thin == 0.0 || faces->end - faces->begin < ZR_OVERLAP_FACES_LEAST) return true;
-    turn_to(&w, 0, half);
+    zr_ray_grid_turn(&w.grid, 0, half);
     if (!look(&w, &sign, &out->is_found)) return false;
     for (int i = 0; i < 3 && out->is_found; i++) {
-        turn_to(&w, i, half);
+        zr_ray_grid_turn(&w.grid, i, half);
         if (!measure(&w, sign, &volumes[i], out)) return false;
     }
     if (!out->is_found) return true;
     out->error += zr_most_of(volumes[0], zr_most_of(volumes[1], volumes[2])) -
                   zr_least_of(volumes[0], zr_least_of(volumes[1], volumes[2]));
-    out->moment[0] += out->volume * (w.middle.x - box->apex.x);
-    out->moment[1] += out->volume * (w.middle.y - box->apex.y);
-    out->moment[2] += out->volume * (w.middle.z - box->apex.z);
+    out->moment[0] += out->volume * (w.grid.middle.x - box->apex.x);
+    out->moment[1] += out->volume * (w.grid.middle.y - box->apex.y);
+    out->moment[2] += out->volume * (w.grid.middle.z - box->apex.z);
     return true;
 }

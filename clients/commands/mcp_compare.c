@@ -1,0 +1,119 @@
+#include "commands/mcp_compare.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands/mcp_files.h"
+#include "mcp/faults.h"
+#include "mcp/model.h"
+
+/* What the answer of a comparison owns. */
+struct owned {
+    zraster_comparison *comparison;
+    zraster_picture *picture;
+};
+
+void mcp_compare_faults(const zraster_error *error, struct mcp_faults *faults)
+{
+    for (size_t i = 0; i < zraster_error_count(error); i++)
+        mcp_fault(faults, zraster_error_pointer(error, i), "%s", zraster_error_detail(error, i));
+    if (faults->count == 0) mcp_fault(faults, "", "%s", zraster_error_text(error));
+}
+
+static zraster_status read_input(const struct engine *engine, const struct input *input, zraster_scene **scene,
+                                 struct mcp_faults *faults)
+{
+    struct zraster_part parts[INPUT_PARTS_MAX];
+    zraster_error *error = NULL;
+    const struct zraster_request request = {.struct_size = sizeof request,
+                                            .body = input->body.data,
+                                            .body_size = input->body.size,
+                                            .type = input->type,
+                                            .parts = parts,
+                                            .part_count = input_parts(input, parts),
+                                            .cancel = engine->cancel};
+    const zraster_status status = zraster_scene_read(engine->renderer, &request, scene, &error);
+    if (status != ZRASTER_OK) mcp_compare_faults(error, faults);
+    zraster_error_free(error);
+    return status;
+}
+
+/* Reads a model. Faults get the name of its argument. */
+static enum mcp_draw_status read_side(const struct engine *engine, const char *root, const struct mcp_draw *draw,
+                                      int side, zraster_scene **scene, struct mcp_faults *faults)
+{
+    struct input *input = malloc(sizeof *input);
+    enum mcp_draw_status status = MCP_REFUSED;
+    if (input && mcp_files_read(input, root, draw, faults)) {
+        const zraster_status read = read_input(engine, input, scene, faults);
+        status = read == ZRASTER_OK ? MCP_DRAWN : read == ZRASTER_CANCELLED ? MCP_CANCELLED : MCP_REFUSED;
+    } else if (faults->count == 0)
+        mcp_fault(faults, "", "out of memory");
+    if (input) mcp_files_free(input, draw);
+    free(input);
+    for (size_t i = 0; i < faults->count; i++)
+        mcp_side_point(faults->at[i].pointer, side);
+    return status;
+}
+
+static zraster_status compare_scenes(const struct engine *engine, zraster_scene *const scenes[2], const char *query,
+                                     struct owned *owned, struct zraster_bytes *picture, zraster_error **error)
+{
+    const struct zraster_request change = {
+        .struct_size = sizeof change, .query = "width=800&height=600", .cancel = engine->cancel};
+    zraster_status status = zraster_compare(scenes[0], scenes[1], query, engine->cancel, &owned->comparison, error);
+    const zraster_scene *shown = status == ZRASTER_OK ? zraster_comparison_scene(owned->comparison) : NULL;
+    if (!shown) return status;
+    status = zraster_scene_draw(shown, &change, &owned->picture, error);
+    return status == ZRASTER_OK ? zraster_picture_encode(owned->picture, NULL, picture, error) : status;
+}
+
+static void free_owned(struct owned *owned)
+{
+    if (!owned) return;
+    zraster_picture_free(owned->picture);
+    zraster_comparison_free(owned->comparison);
+    free(owned);
+}
+
+static enum mcp_draw_status compare_read(const struct engine *engine, zraster_scene *const scenes[2], const char *query,
+                                         struct mcp_compared *compared)
+{
+    struct owned *owned = calloc(1, sizeof *owned);
+    struct zraster_bytes picture = {.data = NULL};
+    zraster_error *error = NULL;
+    if (!owned) {
+        mcp_fault(&compared->faults, "", "out of memory");
+        return MCP_REFUSED;
+    }
+    const zraster_status status = compare_scenes(engine, scenes, query, owned, &picture, &error);
+    if (status == ZRASTER_OK) {
+        compared->json = zraster_comparison_json(owned->comparison);
+        compared->picture = picture.data;
+        compared->picture_size = picture.size;
+        compared->owner = owned;
+    } else {
+        mcp_compare_faults(error, &compared->faults);
+        free_owned(owned);
+    }
+    zraster_error_free(error);
+    return status == ZRASTER_OK ? MCP_DRAWN : status == ZRASTER_CANCELLED ? MCP_CANCELLED : MCP_REFUSED;
+}
+
+enum mcp_draw_status mcp_compare_here(const struct engine *engine, const char *root, const struct mcp_compare *compare,
+                                      struct mcp_compared *compared)
+{
+    zraster_scene *scenes[2] = {NULL, NULL};
+    enum mcp_draw_status status = MCP_DRAWN;
+    for (int i = 0; i < 2 && status == MCP_DRAWN; i++)
+        status = read_side(engine, root, &compare->sides[i], i, &scenes[i], &compared->faults);
+    if (status == MCP_DRAWN) status = compare_read(engine, scenes, compare->query, compared);
+    for (int i = 0; i < 2; i++)
+        zraster_scene_free(scenes[i]);
+    return status;
+}
+
+void mcp_compare_release(struct mcp_compared *compared)
+{
+    free_owned(compared->owner);
+}

@@ -1,0 +1,184 @@
+#include "measure/comparison.h"
+
+#include "base/arena.h"
+#include "base/cancel.h"
+#include "base/status.h"
+
+enum { QUICK_RAYS = 128, QUICK_POINTS = 10000 };
+
+static const char sides[2][2] = {"a", "b"};
+
+/* Factors between usual units, and what they are. */
+static const struct {
+    double factor;
+    const char *words;
+} units[] = {{25.4, "inches and millimetres"},      {2.54, "inches and centimetres"},
+             {10.0, "centimetres and millimetres"}, {1000.0, "metres and millimetres"},
+             {100.0, "metres and centimetres"},     {39.37, "metres and inches"}};
+
+/* Warns if one model is larger by the factor of two units, to 2 %. */
+static void warn_of_units(const struct zr_run *run, struct zr_comparison *c)
+{
+    const double ratio = c->a.diagonal > 0.0 ? c->b.diagonal / c->a.diagonal : 1.0;
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        const double up = ratio / units[i].factor, down = ratio * units[i].factor;
+        if ((up > 0.98 && up < 1.02) || (down > 0.98 && down < 1.02))
+            zr_warning_list_add(run->arena, &c->warnings,
+                                "b is %.4g times as large as a, as if one had other units: %s", ratio, units[i].words);
+    }
+}
+
+static void warn_of_alignment(const struct zr_run *run, struct zr_comparison *c)
+{
+    if (c->alignment.is_omitted)
+        zr_warning_list_add(run->arena, &c->warnings, "nothing is aligned: too many triangles overlap to search them");
+    if (c->alignment.is_mirrored)
+        zr_warning_list_add(run->arena, &c->warnings, "a mirror image of b fits a much better than b does");
+    if (c->alignment.ambiguous_count > 0)
+        zr_warning_list_add(run->arena, &c->warnings, "b fits a in other ways, too: alignment.ambiguous has %u",
+                            c->alignment.ambiguous_count);
+}
+
+static void warn(const struct zr_run *run, struct zr_comparison *c)
+{
+    const struct zr_solid *solids[2] = {&c->a, &c->b};
+    const struct zr_own_volume *volumes[2] = {&c->volumes.a, &c->volumes.b};
+    for (int i = 0; i < 2; i++) {
+        if (!solids[i]->is_closed)
+            zr_warning_list_add(run->arena, &c->warnings,
+                                "%s is not closed (%u open edges): volumes, IoU and signs of distances need closed "
+                                "surfaces and are left out",
+                                sides[i], solids[i]->odd_edges);
+        if (!c->has_volumes) continue;
+        if (volumes[i]->has_overlap)
+            zr_warning_list_add(run->arena, &c->warnings, "shells of %s overlap; its volume counts the overlap once",
+                                sides[i]);
+        if (volumes[i]->is_inside_out)
+            zr_warning_list_add(run->arena, &c->warnings, "the faces of %s look inwards; it is compared turned round",
+                                sides[i]);
+    }
+    warn_of_alignment(run, c);
+    if (!c->has_deviation)
+        zr_warning_list_add(run->arena, &c->warnings,
+                            "distances are left out: too many triangles overlap to search them");
+}
+
+static void find_distances(struct zr_comparison *c)
+{
+    const struct zr_deviation *a = &c->a_to_b, *b = &c->b_to_a;
+    c->has_deviation = !a->is_omitted && !b->is_omitted;
+    c->is_same = c->has_volumes && c->volumes.only_a == 0.0 && c->volumes.only_b == 0.0;
+    if (!c->has_deviation) return;
+    const bool is_of_a = fabs(a->max) >= fabs(b->max);
+    c->hausdorff = fabs(is_of_a ? a->max : b->max);
+    c->hausdorff_at = is_of_a ? a->at : b->at;
+    c->chamfer = a->abs + b->abs;
+    c->chamfer_square = a->square + b->square;
+    c->f1 = a->within + b->within > 0.0 ? 2.0 * a->within * b->within / (a->within + b->within) : 0.0;
+    c->normal_consistency = 0.5 * (a->alignment + b->alignment);
+    c->is_same = c->hausdorff <= c->tolerance;
+}
+
+static enum zr_status measure_distances(const struct zr_run *run, const struct zr_comparison_options *options,
+                                        struct zr_surface_tree trees[2], struct zr_comparison *c)
+{
+    const uint32_t points = options->is_quick ? QUICK_POINTS : ZR_DEVIATION_POINTS;
+    enum zr_status status = zr_surface_tree_make(run, &c->a, &trees[0]);
+    if (status == ZR_OK) status = zr_surface_tree_make(run, &c->b, &trees[1]);
+    const struct zr_deviation_side a = {&trees[0], c->volumes.a.has_overlap}, b = {&trees[1], c->volumes.b.has_overlap};
+    c->threshold = ZR_COMPARISON_NEAR * c->a.diagonal;
+    if (status == ZR_OK) status = zr_deviation_find(run, &a, &b, points, c->threshold, &c->a_to_b);
+    if (status == ZR_OK) status = zr_deviation_find(run, &b, &a, points, c->threshold, &c->b_to_a);
+    if (status == ZR_OK) find_distances(c);
+    return status;
+}
+
+/* Finds the part of each region: that of the nearest triangle of its solid. */
+static void find_region_parts(const struct zr_surface_tree trees[2], const struct zr_part_list lists[2],
+                              struct zr_comparison *c)
+{
+    for (uint32_t i = 0; i < c->regions.count; i++) {
+        const struct zr_region *region = &c->regions.at[i];
+        const struct zr_surface_tree *tree = &trees[region->is_b];
+        const struct zr_part_list *list = &lists[region->is_b];
+        struct zr_surface_hit hit = {.triangle = 0};
+        uint64_t steps = 0;
+        zr_surface_tree_nearest(tree, region->at, -1.0, &hit, &steps);
+        const uint32_t part = tree->solid->parts[hit.triangle];
+        c->region_parts[i] = part < list->count ? list->at[part].name : "";
+    }
+}
+
+static enum zr_status measure_regions(const struct zr_run *run, const struct zr_comparison_options *options,
+                                      struct zr_comparison *c)
+{
+    const double thin = zr_most_of(ZR_COMPARISON_THIN * c->a.diagonal, options->tolerance);
+    if (!c->has_volumes) return ZR_OK;
+    return zr_regions_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_VOLUME_RAYS, thin, &c->regions);
+}
+
+static enum zr_status measure_parts(const struct zr_run *run, const struct zr_scene *const scenes[2],
+                                    struct zr_part_list lists[2], struct zr_comparison *c)
+{
+    for (int i = 0; i < 2; i++)
+        lists[i] = zr_part_list_make(run->arena, scenes[i], ZR_PART_CHANGES_PARTS);
+    if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
+    c->has_parts = lists[0].total > 1 || lists[1].total > 1;
+    if (!c->has_parts) return ZR_OK;
+    return zr_part_changes_find(run, &c->a, &lists[0], &c->b, &lists[1], c->tolerance, &c->parts);
+}
+
+/* Moves b. */
+static enum zr_status align(const struct zr_run *run, struct zr_comparison *c)
+{
+    struct zr_arena scratch = zr_arena_open_scratch(run->arena);
+    const struct zr_run inner = zr_run_in(run, &scratch);
+    struct zr_surface_tree tree;
+    enum zr_status status = zr_surface_tree_make(&inner, &c->a, &tree);
+    if (status == ZR_OK) status = zr_align_find(&inner, &tree, &c->b, c->align, &c->alignment);
+    if (status == ZR_OK) zr_align_move(&c->b, &c->alignment.motion);
+    zr_arena_close_scratch(&scratch, run->arena);
+    return status;
+}
+
+static enum zr_status measure(const struct zr_run *run, const struct zr_scene *const scenes[2],
+                              const struct zr_comparison_options *options, struct zr_comparison *c)
+{
+    struct zr_part_list lists[2];
+    struct zr_surface_tree trees[2];
+    enum zr_status status = ZR_OK;
+    c->has_volumes = c->a.is_closed && c->b.is_closed && c->a.diagonal > 0.0 && c->b.diagonal > 0.0;
+    if (c->has_volumes)
+        status = zr_volumes_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_VOLUME_RAYS, &c->volumes);
+    if (status == ZR_OK) status = measure_regions(run, options, c);
+    c->tolerance = options->tolerance >= 0.0 ? options->tolerance : ZR_COMPARISON_SAME * c->a.diagonal;
+    if (status == ZR_OK) status = measure_parts(run, scenes, lists, c);
+    if (status != ZR_OK) return status;
+    struct zr_arena scratch = zr_arena_open_scratch(run->arena);
+    const struct zr_run inner = zr_run_in(run, &scratch);
+    status = measure_distances(&inner, options, trees, c);
+    if (status == ZR_OK) find_region_parts(trees, lists, c);
+    zr_arena_close_scratch(&scratch, run->arena);
+    return status;
+}
+
+enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scene *a, const struct zr_scene *b,
+                                  const struct zr_comparison_options *options, struct zr_comparison *out)
+{
+    *out = (struct zr_comparison){.align = options->align};
+    enum zr_status status = zr_solid_make(run, a, NULL, &out->a);
+    if (status == ZR_OK) status = zr_solid_make(run, b, &out->a.middle, &out->b);
+    if (status != ZR_OK) return status;
+    for (int i = 0; i < 2; i++)
+        if ((i == 0 ? &out->a : &out->b)->count == 0)
+            return zr_error_add(run->error, ZR_BAD_SCENE, NULL,
+                                "%s has no faces with an area; comparing needs surfaces, not lines or points",
+                                sides[i]);
+    warn_of_units(run, out);
+    if (out->align != ZR_ALIGN_NONE) status = align(run, out);
+    if (status != ZR_OK) return status;
+    status = measure(run, (const struct zr_scene *const[2]){a, b}, options, out);
+    if (status != ZR_OK) return status;
+    warn(run, out);
+    return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
+}
