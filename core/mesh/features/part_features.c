@@ -1,0 +1,199 @@
+#include "mesh/features/part_features.h"
+
+#include <string.h>
+
+#include "mesh/edge_mesh.h"
+#include "mesh/world_place.h"
+
+enum { ITEMS_PER_CANCEL_CHECK = 1 << 14 };
+
+/* The triangles of a mesh, by part. */
+struct cut_mesh {
+    struct zr_edge_mesh edges;
+    const uint32_t *ends;      /* per part: end of its triangles */
+    const uint32_t *triangles; /* by part, ascending */
+};
+
+static bool is_due(const struct zr_cancel *cancel, size_t i)
+{
+    return i % ITEMS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel);
+}
+
+static uint32_t part_of(const struct zr_mesh *mesh, const struct cut_mesh *cut, uint32_t triangle)
+{
+    return mesh->face_parts ? mesh->face_parts[cut->edges.faces[triangle]] : 0;
+}
+
+static enum zr_status cut_mesh(const struct zr_run *run, const struct zr_mesh *mesh, struct cut_mesh *cut)
+{
+    const enum zr_status status = zr_edge_mesh_make(run, mesh, &cut->edges);
+    if (status != ZR_OK) return status;
+    const uint32_t parts = zr_mesh_part_count(mesh), count = cut->edges.triangle_count;
+    uint32_t *ends = zr_arena_zero(run->arena, (size_t)parts + 1, sizeof *ends);
+    uint32_t *triangles = zr_arena_alloc(run->arena, count, sizeof *triangles);
+    if (!ends || !triangles) return ZR_NO_MEMORY;
+    for (uint32_t t = 0; t < count; t++) {
+        if (is_due(run->cancel, t)) return ZR_CANCELLED;
+        ends[part_of(mesh, cut, t)]++;
+    }
+    for (uint32_t p = 0, sum = 0; p <= parts; p++)
+        ends[p] = sum += ends[p];
+    for (uint32_t t = count; t-- > 0;) {
+        if (is_due(run->cancel, t)) return ZR_CANCELLED;
+        triangles[--ends[part_of(mesh, cut, t)]] = t;
+    }
+    cut->ends = ends + 1; /* begins to ends */
+    cut->triangles = triangles;
+    return ZR_OK;
+}
+
+/* ---- surfaces ---- */
+
+/* Bounds of places, from the first one, and their largest coordinates before and after they were moved. */
+struct extent {
+    double min[3], max[3], far;
+};
+
+static void extend(struct extent *extent, zr_dvec3 p, struct zr_world_place world, const zr_mat4 *matrix)
+{
+    const double at[3] = {p.x, p.y, p.z}, whole[3] = {world.x, world.y, world.z};
+    for (int k = 0; k < 3; k++) {
+        extent->min[k] = fmin(extent->min[k], at[k]);
+        extent->max[k] = fmax(extent->max[k], at[k]);
+        extent->far = fmax(extent->far, fmax(fabs(whole[k]), fabs(whole[k] - (double)matrix->m[12 + k])));
+    }
+}
+
+/* Makes the surface of a part. `origin` is added to its places. False without memory, if cancelled, or if a corner is
+ * beyond the range of float. */
+static bool make_surface(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_mesh *mesh,
+                         const struct cut_mesh *cut, uint32_t part, const zr_mat4 *matrix, bool is_turned,
+                         struct zr_surface *out, zr_dvec3 *origin)
+{
+    const uint32_t begin = part > 0 ? cut->ends[part - 1] : 0, count = cut->ends[part] - begin;
+    uint32_t(*corners)[3] = zr_arena_alloc(arena, count, sizeof *corners);
+    uint32_t *numbers = zr_arena_alloc(arena, cut->edges.vertex_count, sizeof *numbers);
+    zr_dvec3 *places =
+        zr_arena_alloc(arena, 3 * (size_t)count < cut->edges.vertex_count ? 3 * (size_t)count : cut->edges.vertex_count,
+                       sizeof *places);
+    struct extent extent = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0.0};
+    struct zr_world_place world;
+    if (!zr_arena_ok(arena)) return false;
+    *out = (struct zr_surface){.places = places, .corners = (const uint32_t(*)[3])corners, .triangle_count = count};
+    for (uint32_t i = 0; i < count; i++) { /* forget what other parts used */
+        if (is_due(cancel, i)) return false;
+        for (int k = 0; k < 3; k++)
+            numbers[cut->edges.corners[3 * (size_t)cut->triangles[begin + i] + (size_t)k]] = UINT32_MAX;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (is_due(cancel, i)) return false;
+        for (int k = 0; k < 3; k++) {
+            const uint32_t vertex = cut->edges.corners[3 * (size_t)cut->triangles[begin + i] + (size_t)k];
+            if (numbers[vertex] == UINT32_MAX) {
+                if (!zr_world_place_of(matrix, mesh->positions[cut->edges.positions[vertex]], &world)) return false;
+                const zr_dvec3 place = {world.x, world.y, world.z};
+                if (out->place_count == 0) *origin = place;
+                places[out->place_count] = zr_dvec3_sub(place, *origin);
+                extend(&extent, places[out->place_count], world, matrix);
+                numbers[vertex] = out->place_count++;
+            }
+            corners[i][is_turned ? 2 - k : k] = numbers[vertex];
+        }
+    }
+    double square = 0.0;
+    for (int k = 0; k < 3 && count > 0; k++)
+        square += (extent.max[k] - extent.min[k]) * (extent.max[k] - extent.min[k]);
+    out->size = sqrt(square);
+    out->noise = fmax(1e-7 * out->size, (double)FLT_EPSILON * extent.far);
+    return true;
+}
+
+/* ---- parts ---- */
+
+/* The parts of one instance of a mesh. */
+struct finding {
+    const struct zr_run *run;
+    const struct zr_scene *scene;
+    const struct zr_part_list *parts;
+    const struct zr_part_facts *facts;
+    struct zr_part_features *features;
+};
+
+/* Copies the lists of holes, beside scratch that is open, and moves them. False without memory. */
+static bool keep(struct zr_arena *arena, struct zr_arena *scratch, zr_dvec3 origin, struct zr_holes *holes)
+{
+    const uint32_t both = holes->hole_count + holes->boss_count;
+    struct zr_hole *all = zr_arena_alloc_beside(arena, scratch, both, sizeof *all);
+    struct zr_fillets *fillets = zr_arena_alloc_beside(arena, scratch, holes->fillet_count, sizeof *fillets);
+    if (!all || !fillets) return false;
+    memcpy(all, holes->holes, holes->hole_count * sizeof *all);
+    memcpy(all + holes->hole_count, holes->bosses, holes->boss_count * sizeof *all);
+    if (holes->fillet_count > 0) memcpy(fillets, holes->fillets, holes->fillet_count * sizeof *fillets);
+    for (uint32_t i = 0; i < both; i++)
+        all[i].at = zr_dvec3_add_scaled(all[i].at, origin, 1.0);
+    holes->holes = all;
+    holes->bosses = all + holes->hole_count;
+    holes->fillets = fillets;
+    return true;
+}
+
+static enum zr_status find_of_part(const struct finding *f, struct zr_arena *arena, const struct cut_mesh *cut,
+                                   uint32_t number)
+{
+    const struct zr_part *part = &f->parts->at[number];
+    const struct zr_mesh *mesh = &f->scene->meshes[part->mesh];
+    const zr_mat4 *matrix = &f->scene->instances[part->instance].object_to_world;
+    const bool is_turned = (f->facts[number].is_closed && f->facts[number].volume < 0.0) != zr_mat4_is_mirror(matrix);
+    struct zr_part_features *out = &f->features[number];
+    struct zr_arena scratch = zr_arena_open_scratch(arena);
+    struct zr_feature_work work = {.cancel = f->run->cancel, .steps_most = ZR_FEATURE_STEPS_MIN / f->parts->count};
+    struct zr_surface surface;
+    struct zr_facets facets;
+    zr_dvec3 origin = {0, 0, 0};
+    bool ok = true;
+    if (make_surface(&scratch, f->run->cancel, mesh, cut, part->number, matrix, is_turned, &surface, &origin)) {
+        work.steps_most += ZR_FEATURE_STEPS * (uint64_t)surface.triangle_count;
+        out->is_omitted = !(zr_facets_make(&scratch, &work, &surface, &facets) &&
+                            zr_holes_find(&scratch, &work, &facets, &out->holes));
+        if (out->is_omitted) out->holes = (struct zr_holes){.hole_count = 0};
+        ok = keep(arena, &scratch, origin, &out->holes);
+    }
+    ok = ok && zr_arena_ok(&scratch);
+    zr_arena_close_scratch(&scratch, arena);
+    if (zr_is_cancelled(f->run->cancel)) return ZR_CANCELLED;
+    return ok && zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* Finds the features of the parts from `begin` to `end`, which are of one mesh. */
+static enum zr_status find_of_mesh(const struct finding *f, uint32_t begin, uint32_t end)
+{
+    const struct zr_mesh *mesh = &f->scene->meshes[f->parts->at[begin].mesh];
+    const size_t bytes = (size_t)ZR_FEATURE_BYTES * mesh->face_offsets[mesh->face_count] + ZR_FEATURE_BYTES_LEAST;
+    for (uint32_t p = begin; p < end; p++)
+        f->features[p] = (struct zr_part_features){.is_omitted = bytes > zr_arena_left(f->run->arena)};
+    if (f->features[begin].is_omitted) return ZR_OK;
+    struct zr_arena scratch = zr_arena_open_scratch(f->run->arena);
+    const struct zr_run inner = zr_run_in(f->run, &scratch);
+    struct cut_mesh cut;
+    enum zr_status status = cut_mesh(&inner, mesh, &cut);
+    for (uint32_t p = begin; p < end && status == ZR_OK; p++)
+        status = find_of_part(f, &scratch, &cut, p);
+    for (uint32_t p = begin; p < end && status == ZR_OK; p++)
+        if (!keep(f->run->arena, &scratch, (zr_dvec3){0, 0, 0}, &f->features[p].holes)) status = ZR_NO_MEMORY;
+    zr_arena_close_scratch(&scratch, f->run->arena);
+    return status;
+}
+
+enum zr_status zr_part_features_find(const struct zr_run *run, const struct zr_scene *scene,
+                                     const struct zr_part_list *parts, const struct zr_part_facts *facts,
+                                     struct zr_part_features *features)
+{
+    const struct finding f = {run, scene, parts, facts, features};
+    enum zr_status status = ZR_OK;
+    for (uint32_t p = 0, next; p < parts->count && status == ZR_OK; p = next) {
+        for (next = p + 1; next < parts->count && parts->at[next].mesh == parts->at[p].mesh; next++) {
+        }
+        status = find_of_mesh(&f, p, next);
+    }
+    return status;
+}

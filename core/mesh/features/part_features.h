@@ -1,0 +1,33 @@
+/* part_features.h - mesh: features of the parts of a scene (scene/parts/part_list.h): holes, bosses, fillets.
+ *
+ * Space:  world space, in double precision. A part that is closed and inside out is turned first.
+ * Work:   counted in steps (mesh/features/surface.h). Each part has ZR_FEATURE_STEPS for each of its triangles, and an
+ *         equal share of ZR_FEATURE_STEPS_MIN. A part that takes more, or more memory than is left, has no features.
+ * Exact:  one thread, in a fixed order, without libm but for sqrt.
+ */
+#ifndef ZR_PART_FEATURES_H
+#define ZR_PART_FEATURES_H
+
+#include "base/run.h"
+#include "core.h"
+#include "mesh/facts/part_facts.h"
+#include "mesh/features/holes.h"
+
+/* Steps for all parts together, and for each of their triangles. */
+enum { ZR_FEATURE_STEPS_MIN = 1 << 22, ZR_FEATURE_STEPS = 256 };
+
+/* Bytes of scratch: per corner of a face, and beside. */
+enum { ZR_FEATURE_BYTES = 448, ZR_FEATURE_BYTES_LEAST = 8 << 20 };
+
+struct zr_part_features {
+    bool is_omitted; /* too much work, or no memory for it: no features */
+    struct zr_holes holes;
+};
+
+/* Fills in features[0 .. parts->count - 1], whose lists are in run->arena. `facts` has those of the parts. Fails with
+ * ZR_NO_MEMORY or ZR_CANCELLED. */
+enum zr_status zr_part_features_find(const struct zr_run *run, const struct zr_scene *scene,
+                                     const struct zr_part_list *parts, const struct zr_part_facts *facts,
+                                     struct zr_part_features *features);
+
+#endif

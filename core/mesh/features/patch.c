@@ -1,0 +1,63 @@
+#include "mesh/features/patch.h"
+
+static zr_dvec3 place_of(const struct zr_facets *facets, uint32_t triangle, int corner)
+{
+    return facets->surface->places[facets->surface->corners[triangle][corner]];
+}
+
+bool zr_facet_span_of(struct zr_feature_work *work, const struct zr_facets *facets, uint32_t facet,
+                      const struct zr_cylinder_frame *frame, double width_most, struct zr_facet_span *out)
+{
+    const zr_dvec3 normal = facets->normals[facet], along = zr_dvec3_cross(frame->axis, normal);
+    double first = HUGE_VAL, last = -HUGE_VAL;
+    *out = (struct zr_facet_span){.least = HUGE_VAL, .most = 0.0, .low = HUGE_VAL, .high = -HUGE_VAL};
+    if (zr_dvec3_dot(along, along) < 0.5) return false;
+    for (uint32_t i = facets->begins[facet]; i < facets->begins[facet + 1]; i++) {
+        if (!zr_feature_has_steps(work, 3)) return false;
+        for (int k = 0; k < 3; k++) {
+            const zr_dvec3 p = zr_dvec3_sub(place_of(facets, facets->triangles[i], k), frame->center);
+            const double x = zr_dvec3_dot(p, frame->u), y = zr_dvec3_dot(p, frame->v), z = zr_dvec3_dot(p, frame->axis);
+            const double at = zr_dvec3_dot(p, along), radius = sqrt(x * x + y * y);
+            if (at < first) {
+                first = at;
+                out->first[0] = x;
+                out->first[1] = y;
+                out->first_radius = radius;
+            }
+            if (at > last) {
+                last = at;
+                out->last[0] = x;
+                out->last[1] = y;
+                out->last_radius = radius;
+            }
+            out->least = fmin(out->least, radius);
+            out->most = fmax(out->most, radius);
+            out->low = fmin(out->low, z);
+            out->high = fmax(out->high, z);
+        }
+        if (last - first > width_most) return false;
+    }
+    return true;
+}
+
+bool zr_patch_fit(struct zr_feature_work *work, const struct zr_facets *facets, const uint32_t *list, uint32_t count,
+                  struct zr_cylinder_frame *frame)
+{
+    struct zr_normal_sums normals = {0};
+    struct zr_circle_sums circle = {0};
+    struct zr_facet_span span;
+    double x, y;
+    for (uint32_t i = 0; i < count; i++)
+        zr_normal_sums_add(&normals, facets->normals[list[i]], facets->areas[list[i]]);
+    zr_dvec3 axis = zr_normal_sums_axis(&normals);
+    if (zr_dvec3_dot(axis, frame->axis) < 0.0) axis = (zr_dvec3){0.0 - axis.x, 0.0 - axis.y, 0.0 - axis.z};
+    zr_cylinder_frame_turn(frame, axis);
+    for (uint32_t i = 0; i < count; i++) {
+        if (!zr_facet_span_of(work, facets, list[i], frame, HUGE_VAL, &span)) return false;
+        zr_circle_sums_add(&circle, span.first[0], span.first[1]);
+        zr_circle_sums_add(&circle, span.last[0], span.last[1]);
+    }
+    if (!zr_circle_sums_fit(&circle, &x, &y, &frame->radius)) return false;
+    frame->center = zr_dvec3_add_scaled(zr_dvec3_add_scaled(frame->center, frame->u, x), frame->v, y);
+    return frame->radius < ZR_PATCH_RADIUS_MOST * facets->surface->size;
+}

@@ -1,0 +1,34 @@
+/* patch.h - mesh: facets on one cylinder, and what a facet covers of it. */
+#ifndef ZR_PATCH_H
+#define ZR_PATCH_H
+
+#include "mesh/features/cylinder_fit.h"
+#include "mesh/features/facets.h"
+
+#define ZR_PATCH_RADIUS_MOST 10.0 /* of the size: beyond, a patch is flat */
+
+struct zr_patch {
+    struct zr_cylinder_frame frame;
+    bool is_concave;
+    uint32_t begin, end; /* of its facets */
+    double low, high;    /* along the axis, from the frame's centre */
+};
+
+/* What a facet covers in the frame of a cylinder. Its outermost corners across the axis are `first` and `last`,
+ * counterclockwise seen along the facet's own normal. */
+struct zr_facet_span {
+    double first[2], last[2]; /* across the axis, from the centre */
+    double first_radius, last_radius;
+    double least, most; /* distances of corners from the axis */
+    double low, high;   /* along the axis, from the centre */
+};
+
+/* Measures a facet. False if its normal is along the axis, it is wider than `width_most`, or no steps are left. */
+bool zr_facet_span_of(struct zr_feature_work *work, const struct zr_facets *facets, uint32_t facet,
+                      const struct zr_cylinder_frame *frame, double width_most, struct zr_facet_span *out);
+
+/* Fits a frame to facets: its axis, centre and radius. `frame` is a first guess. False if there is no such cylinder. */
+bool zr_patch_fit(struct zr_feature_work *work, const struct zr_facets *facets, const uint32_t *list, uint32_t count,
+                  struct zr_cylinder_frame *frame);
+
+#endif
