@@ -45,15 +45,18 @@ void zr_angle_set_add(struct zr_angle_set *set, double from, double to)
 double zr_angle_set_degrees(const struct zr_angle_set *set)
 {
     int count = 0;
-    for (int step = 0; step < ZR_ANGLE_STEPS; step++)
-        count += has(set, step);
+    for (int word = 0; word < ZR_ANGLE_WORDS; word++)
+        count += __builtin_popcountll(set->words[word]);
     return count * (360.0 / ZR_ANGLE_STEPS);
 }
 
 uint32_t zr_angle_set_arcs(const struct zr_angle_set *set)
 {
-    uint32_t begins = 0;
-    for (int step = 0; step < ZR_ANGLE_STEPS; step++)
-        begins += has(set, step) && !has(set, (step + ZR_ANGLE_STEPS - 1) % ZR_ANGLE_STEPS);
-    return begins > 0 || !has(set, 0) ? begins : 1;
+    int begins = 0;
+    uint64_t before = has(set, ZR_ANGLE_STEPS - 1);
+    for (int word = 0; word < ZR_ANGLE_WORDS; word++) {
+        begins += __builtin_popcountll(set->words[word] & ~(set->words[word] << 1 | before));
+        before = set->words[word] >> 63;
+    }
+    return begins > 0 || !has(set, 0) ? (uint32_t)begins : 1;
 }

@@ -30,7 +30,8 @@ const struct zr_triangle_bounds *zr_triangle_bounds_make(struct zr_arena *arena,
                        c = surface->places[corners[2]];
         const zr_dvec3 middle = {(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0, (a.z + b.z + c.z) / 3.0};
         const zr_dvec3 to_a = zr_dvec3_sub(a, middle), to_b = zr_dvec3_sub(b, middle), to_c = zr_dvec3_sub(c, middle);
-        const double square = fmax(zr_dvec3_dot(to_a, to_a), fmax(zr_dvec3_dot(to_b, to_b), zr_dvec3_dot(to_c, to_c)));
+        const double square =
+            zr_most_of(zr_dvec3_dot(to_a, to_a), zr_most_of(zr_dvec3_dot(to_b, to_b), zr_dvec3_dot(to_c, to_c)));
         if (!zr_feature_has_steps(work, 1)) return NULL;
         bounds[t] = (struct zr_triangle_bounds){(float)middle.x, (float)middle.y, (float)middle.z,
                                                 (float)(sqrt(square) * 1.00001 + 1e-6 * surface->size)};
@@ -71,7 +72,7 @@ static double side_of(const struct corner *a, const struct corner *b, const stru
 {
     const struct corner *low = a->place < b->place ? a : b, *high = a->place < b->place ? b : a;
     const double turn = (high->x - low->x) * (line->y - low->y) - (high->y - low->y) * (line->x - low->x);
-    const double side = turn >= 0.0 ? fmax(turn, DBL_MIN) : turn;
+    const double side = turn >= 0.0 ? zr_most_of(turn, DBL_MIN) : turn;
     return low == a ? side : 0.0 - side;
 }
 
@@ -138,7 +139,7 @@ bool zr_axis_lines_look(struct zr_feature_work *work, const struct zr_surface *s
                         const struct zr_triangle_bounds *bounds, const struct zr_cylinder *cylinder, uint32_t *room,
                         struct zr_cylinder_ends *out)
 {
-    const double radius = cylinder->frame.radius, beyond = fmax(BEYOND * radius, BEYOND_SIZE * surface->size);
+    const double radius = cylinder->frame.radius, beyond = zr_most_of(BEYOND * radius, BEYOND_SIZE * surface->size);
     const double heights[HEIGHTS] = {cylinder->low - beyond, 0.5 * (cylinder->low + cylinder->high),
                                      cylinder->high + beyond};
     struct line lines[LINES];

@@ -5,6 +5,8 @@
 #include "base/sort.h"
 #include "mesh/features/angles.h"
 
+enum { FACETS_LEAST = 4 /* of a hole, boss or fillet */ };
+
 static const double PARALLEL = 0.9998;                  /* cosine of 1.1 degrees */
 static const double SAME_RADIUS = 5e-3;                 /* relative */
 static const double OFF_AXIS = 1e-2;                    /* of the radius */
@@ -69,7 +71,7 @@ static bool belong_together(const struct joining *j, const struct zr_patch *a, c
     double range[2];
     if (a->is_concave != b->is_concave) return false;
     if (!is_on_axis(&a->frame, &b->frame, middle_of(&b->frame, b->low, b->high),
-                    fmax(OFF_AXIS * a->frame.radius, OFF_AXIS_SIZE * size)))
+                    zr_most_of(OFF_AXIS * a->frame.radius, OFF_AXIS_SIZE * size)))
         return false;
     range_along(&a->frame, &b->frame, b->low, b->high, range);
     return range[0] <= a->high + TOUCH * size && range[1] >= a->low - TOUCH * size;
@@ -130,9 +132,9 @@ static void add_facet(const struct joining *j, uint32_t facet, const struct zr_f
     else
         zr_angle_set_add(covered, first, last);
     zr_angle_set_add(directions, before < 0.0 ? before + 360.0 : before, after >= 360.0 ? after - 360.0 : after);
-    out->flat = fmin(out->flat, fabs(x * span->first[0] + y * span->first[1]));
-    out->low = fmin(out->low, span->low);
-    out->high = fmax(out->high, span->high);
+    out->flat = zr_least_of(out->flat, fabs(x * span->first[0] + y * span->first[1]));
+    out->low = zr_least_of(out->low, span->low);
+    out->high = zr_most_of(out->high, span->high);
 }
 
 /* Measures a cylinder of facets. False if they are not on it. */
@@ -147,8 +149,10 @@ static bool measure(const struct joining *j, const uint32_t *list, uint32_t coun
     for (uint32_t i = 0; i < count; i++) {
         if (!zr_facet_span_of(j->work, j->facets, list[i], &out->frame, HUGE_VAL, &span)) return false;
         if (fabs(span.first_radius - out->frame.radius) > tolerance ||
-            fabs(span.last_radius - out->frame.radius) > tolerance)
+            fabs(span.last_radius - out->frame.radius) > tolerance || !zr_facet_span_faces(&span, out->is_concave))
             return false;
+        out->error = zr_most_of(out->error, zr_most_of(fabs(span.first_radius - out->frame.radius),
+                                                       fabs(span.last_radius - out->frame.radius)));
         add_facet(j, list[i], &span, &covered, &directions, out);
     }
     out->coverage = zr_angle_set_degrees(&covered);
@@ -167,12 +171,15 @@ static bool add_patch(const struct joining *j, const struct zr_patch *patch, str
 static uint32_t add_group(const struct joining *j, const uint64_t *group, uint32_t count, struct zr_cylinder *out)
 {
     const struct zr_patch *first = &j->patches->at[(uint32_t)group[0]];
-    uint32_t made = 0, facets = 0;
+    uint32_t made = 0, facets = 0, all = 0;
     for (uint32_t i = 0; i < count && count > 1; i++) {
         const struct zr_patch *patch = &j->patches->at[(uint32_t)group[i]];
         memcpy(j->list + facets, j->patches->facets + patch->begin, (patch->end - patch->begin) * sizeof *j->list);
         facets += patch->end - patch->begin;
     }
+    for (uint32_t i = 0; i < count; i++)
+        all += j->patches->at[(uint32_t)group[i]].end - j->patches->at[(uint32_t)group[i]].begin;
+    if (all < FACETS_LEAST) return 0;
     *out = (struct zr_cylinder){.frame = first->frame, .is_concave = first->is_concave};
     if (count > 1 && zr_patch_fit(j->work, j->facets, j->list, facets, &out->frame) && measure(j, j->list, facets, out))
         return 1;

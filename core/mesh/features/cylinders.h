@@ -14,6 +14,7 @@ struct zr_cylinder {
     double low, high;  /* along the axis, from the frame's centre */
     double coverage;   /* degrees of the turn that facets cover */
     double flat;       /* least distance of a facet's plane from the axis */
+    double error;      /* farthest corner from the circle */
     uint32_t segments; /* facets of a whole turn */
     uint32_t facets;   /* directions of facets that there are */
 };

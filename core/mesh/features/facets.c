@@ -106,7 +106,7 @@ static void measure(const struct making *m, uint32_t t)
     const zr_dvec3 ab = zr_dvec3_sub(b, a), ac = zr_dvec3_sub(c, a), bc = zr_dvec3_sub(c, b);
     m->areas[t] = zr_dvec3_cross(ab, ac);
     m->lengths[t] = sqrt(zr_dvec3_dot(m->areas[t], m->areas[t]));
-    m->longest[t] = sqrt(fmax(zr_dvec3_dot(ab, ab), fmax(zr_dvec3_dot(ac, ac), zr_dvec3_dot(bc, bc))));
+    m->longest[t] = sqrt(zr_most_of(zr_dvec3_dot(ab, ab), zr_most_of(zr_dvec3_dot(ac, ac), zr_dvec3_dot(bc, bc))));
 }
 
 /* A triangle lower than rounding errors has no direction. */
@@ -134,8 +134,8 @@ static void join_thin(const struct making *m, uint32_t t)
 static bool are_flat(const struct making *m, uint32_t t, uint32_t u)
 {
     const double product = m->lengths[t] * m->lengths[u];
-    const double low = fmin(m->lengths[t] / m->longest[t], m->lengths[u] / m->longest[u]);
-    const double sine = fmin(FLAT + m->surface->noise / low, FLAT_MOST);
+    const double low = zr_least_of(m->lengths[t] / m->longest[t], m->lengths[u] / m->longest[u]);
+    const double sine = zr_least_of(FLAT + m->surface->noise / low, FLAT_MOST);
     const zr_dvec3 cross = zr_dvec3_cross(m->areas[t], m->areas[u]);
     return zr_dvec3_dot(m->areas[t], m->areas[u]) > 0.0 &&
            zr_dvec3_dot(cross, cross) <= (sine * product) * (sine * product);

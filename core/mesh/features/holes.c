@@ -15,6 +15,7 @@ static const double SAME = 2e-3;             /* relative difference of equal mea
 static const double SAME_SIZE = 2e-5;        /* the same, of the size */
 static const double SAME_DIRECTION = 0.9998; /* cosine of 1.1 degrees */
 static const double SAME_FILLET = 1e-2;
+static const double FILLET_ERROR = 5e-4, FILLET_NOISE = 4.0; /* of the radius, and of the noise */
 
 /* A cylinder that may be a hole or a boss. */
 struct round {
@@ -65,7 +66,9 @@ static void link(const struct finding *f, uint32_t i, uint32_t k)
     const double size = f->facets->surface->size, ra = a->cylinder->frame.radius, rb = b->cylinder->frame.radius;
     const double most = TOUCH * size + CONE * fabs(ra - rb);
     double range[2];
-    if (!zr_cylinders_share_axis(a->cylinder, b->cylinder, fmax(OFF_AXIS * fmin(ra, rb), OFF_AXIS_SIZE * size))) return;
+    if (!zr_cylinders_share_axis(a->cylinder, b->cylinder,
+                                 zr_most_of(OFF_AXIS * zr_least_of(ra, rb), OFF_AXIS_SIZE * size)))
+        return;
     zr_cylinder_range_along(a->cylinder, b->cylinder, range);
     const bool is_turned = zr_dvec3_dot(a->cylinder->frame.axis, b->cylinder->frame.axis) < 0.0;
     const double above = range[0] - a->cylinder->high, below = a->cylinder->low - range[1];
@@ -196,7 +199,7 @@ static bool list_chain(const struct finding *f, uint32_t round, struct zr_hole *
         const struct zr_cylinder *cylinder = f->rounds[walked].cylinder;
         if (walked != narrowest && out->step_count < ZR_HOLE_STEPS_MAX)
             out->steps[out->step_count++] =
-                (struct zr_hole_step){2.0 * cylinder->frame.radius, cylinder->high - cylinder->low};
+                (struct zr_hole_step){2.0 * cylinder->frame.radius, cylinder->high - cylinder->low, cylinder->segments};
         if (walked == at) break;
         const uint32_t next = (uint32_t)f->rounds[walked].links[!side];
         side = f->rounds[next].links[0] == walked ? 0 : 1;
@@ -216,7 +219,7 @@ static struct zr_hole boss_of(const struct round *round)
 
 static bool are_same(double a, double b, double size)
 {
-    return fabs(a - b) <= SAME * fmax(a, b) + SAME_SIZE * size;
+    return fabs(a - b) <= SAME * zr_most_of(a, b) + SAME_SIZE * size;
 }
 
 static bool are_equal(const struct zr_hole *a, const struct zr_hole *b, double size)
@@ -248,20 +251,22 @@ static bool group(struct zr_feature_work *work, double size, struct zr_hole *hol
 
 /* ---- fillets ---- */
 
-static bool is_fillet(const struct zr_cylinder *cylinder)
+static bool is_fillet(const struct zr_cylinder *cylinder, const struct zr_surface *surface)
 {
-    return cylinder->coverage >= FILLET_LEAST && cylinder->coverage <= MORE_THAN_HALF &&
+    return cylinder->error <= FILLET_ERROR * cylinder->frame.radius + FILLET_NOISE * surface->noise &&
+           cylinder->coverage >= FILLET_LEAST && cylinder->coverage <= MORE_THAN_HALF &&
            cylinder->facets >= FILLET_FACETS_LEAST;
 }
 
-static uint32_t list_fillets(const struct zr_cylinders *cylinders, uint64_t *order, struct zr_fillets *out)
+static uint32_t list_fillets(const struct zr_cylinders *cylinders, const struct zr_surface *surface, uint64_t *order,
+                             struct zr_fillets *out)
 {
     uint32_t count = 0, made = 0;
     for (uint32_t i = 0; i < cylinders->count; i++) {
         const float radius = (float)cylinders->at[i].frame.radius;
         uint32_t bits;
         memcpy(&bits, &radius, sizeof bits);
-        if (is_fillet(&cylinders->at[i])) order[count++] = (uint64_t)bits << 32 | i;
+        if (is_fillet(&cylinders->at[i], surface)) order[count++] = (uint64_t)bits << 32 | i;
     }
     zr_sort_u64(order, count);
     for (uint32_t i = 0; i < count; i++) {
@@ -302,7 +307,7 @@ bool zr_holes_find(struct zr_arena *arena, struct zr_feature_work *work, const s
     uint32_t fillets = 0;
     for (uint32_t i = 0; ok && i < cylinders.count; i++) {
         f.count += is_round(&cylinders.at[i]);
-        fillets += is_fillet(&cylinders.at[i]);
+        fillets += is_fillet(&cylinders.at[i], facets->surface);
     }
     f.rounds = zr_arena_alloc(&scratch, f.count, sizeof *f.rounds);
     uint64_t *order = zr_arena_alloc(&scratch, fillets, sizeof *order);
@@ -314,7 +319,7 @@ bool zr_holes_find(struct zr_arena *arena, struct zr_feature_work *work, const s
             f.rounds[k++] = (struct round){.cylinder = &cylinders.at[i], .links = {NO_LINK, NO_LINK}};
     if (ok) {
         out->fillets = made;
-        out->fillet_count = list_fillets(&cylinders, order, made);
+        out->fillet_count = list_fillets(&cylinders, facets->surface, order, made);
         ok = look_at_ends(&scratch, &f) && link_holes(&f) && list_all(&f, out, holes);
     }
     zr_arena_close_scratch(&scratch, arena);

@@ -4,7 +4,8 @@
  *         go all around. Coaxial holes that meet are steps of one: the narrowest is the hole, the others its steps.
  *         A hole that is closed at both ends is a cavity, and is left out.
  * Boss:   the same for convex cylinders, such as shafts and rims. Half turns, such as ends of slots, are neither.
- * Fillet: 45 degrees or more and at least 4 facets, up to 185 degrees; convex ones are rounded edges.
+ * Fillet: 45 degrees or more and at least 4 facets, up to 185 degrees; convex ones are rounded edges. All corners lie
+ *         on the circle, to 0.05 % of its radius: free forms seldom do.
  * Reach:  by mesh/features/axis_lines.h. A hole whose ends both open is through.
  * Equal:  holes of one diameter, depth, reach, direction and steps are of one group.
  */
@@ -19,6 +20,7 @@ enum zr_hole_reach { ZR_REACH_UNKNOWN, ZR_REACH_THROUGH, ZR_REACH_BLIND };
 
 struct zr_hole_step {
     double diameter, depth;
+    uint32_t segments;
 };
 
 /* A hole or a boss. */

@@ -58,9 +58,9 @@ static void extend(struct extent *extent, zr_dvec3 p, struct zr_world_place worl
 {
     const double at[3] = {p.x, p.y, p.z}, whole[3] = {world.x, world.y, world.z};
     for (int k = 0; k < 3; k++) {
-        extent->min[k] = fmin(extent->min[k], at[k]);
-        extent->max[k] = fmax(extent->max[k], at[k]);
-        extent->far = fmax(extent->far, fmax(fabs(whole[k]), fabs(whole[k] - (double)matrix->m[12 + k])));
+        extent->min[k] = zr_least_of(extent->min[k], at[k]);
+        extent->max[k] = zr_most_of(extent->max[k], at[k]);
+        extent->far = zr_most_of(extent->far, zr_most_of(fabs(whole[k]), fabs(whole[k] - (double)matrix->m[12 + k])));
     }
 }
 
@@ -104,7 +104,7 @@ static bool make_surface(struct zr_arena *arena, const struct zr_cancel *cancel,
     for (int k = 0; k < 3 && count > 0; k++)
         square += (extent.max[k] - extent.min[k]) * (extent.max[k] - extent.min[k]);
     out->size = sqrt(square);
-    out->noise = fmax(1e-7 * out->size, (double)FLT_EPSILON * extent.far);
+    out->noise = zr_most_of(1e-7 * out->size, (double)FLT_EPSILON * extent.far);
     return true;
 }
 
@@ -164,11 +164,20 @@ static enum zr_status find_of_part(const struct finding *f, struct zr_arena *are
     return ok && zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
+/* Returns an upper bound of the scratch for a mesh. */
+static size_t bytes_of(const struct zr_mesh *mesh)
+{
+    const size_t corners = mesh->face_offsets[mesh->face_count], faces = mesh->face_count;
+    const size_t rings = mesh->face_rings ? mesh->face_rings[faces] : faces;
+    return ZR_FEATURE_BYTES * (corners + 2 * rings - 4 * faces) +
+           ZR_FEATURE_BYTES_OF_POSITION * (size_t)mesh->position_count + ZR_FEATURE_BYTES_LEAST;
+}
+
 /* Finds the features of the parts from `begin` to `end`, which are of one mesh. */
 static enum zr_status find_of_mesh(const struct finding *f, uint32_t begin, uint32_t end)
 {
     const struct zr_mesh *mesh = &f->scene->meshes[f->parts->at[begin].mesh];
-    const size_t bytes = (size_t)ZR_FEATURE_BYTES * mesh->face_offsets[mesh->face_count] + ZR_FEATURE_BYTES_LEAST;
+    const size_t bytes = bytes_of(mesh);
     for (uint32_t p = begin; p < end; p++)
         f->features[p] = (struct zr_part_features){.is_omitted = bytes > zr_arena_left(f->run->arena)};
     if (f->features[begin].is_omitted) return ZR_OK;

@@ -14,10 +14,10 @@
 #include "mesh/features/holes.h"
 
 /* Steps for all parts together, and for each of their triangles. */
-enum { ZR_FEATURE_STEPS_MIN = 1 << 22, ZR_FEATURE_STEPS = 256 };
+enum { ZR_FEATURE_STEPS_MIN = 1 << 22, ZR_FEATURE_STEPS = 128 };
 
-/* Bytes of scratch: per corner of a face, and beside. */
-enum { ZR_FEATURE_BYTES = 448, ZR_FEATURE_BYTES_LEAST = 8 << 20 };
+/* Bytes of scratch: per triangle, per position, and beside. */
+enum { ZR_FEATURE_BYTES = 320, ZR_FEATURE_BYTES_OF_POSITION = 64, ZR_FEATURE_BYTES_LEAST = 8 << 20 };
 
 struct zr_part_features {
     bool is_omitted; /* too much work, or no memory for it: no features */

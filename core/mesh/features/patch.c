@@ -6,37 +6,44 @@ static zr_dvec3 place_of(const struct zr_facets *facets, uint32_t triangle, int 
 }
 
 bool zr_facet_span_of(struct zr_feature_work *work, const struct zr_facets *facets, uint32_t facet,
-                      const struct zr_cylinder_frame *frame, double width_most, struct zr_facet_span *out)
+                      const struct zr_cylinder_frame *frame, double radius_most, struct zr_facet_span *out)
 {
     const zr_dvec3 normal = facets->normals[facet], along = zr_dvec3_cross(frame->axis, normal);
-    double first = HUGE_VAL, last = -HUGE_VAL;
-    *out = (struct zr_facet_span){.least = HUGE_VAL, .most = 0.0, .low = HUGE_VAL, .high = -HUGE_VAL};
+    const double squares_most = radius_most * radius_most;
+    double first = HUGE_VAL, last = -HUGE_VAL, least = HUGE_VAL, most = 0.0;
+    *out = (struct zr_facet_span){.low = HUGE_VAL, .high = -HUGE_VAL};
     if (zr_dvec3_dot(along, along) < 0.5) return false;
     for (uint32_t i = facets->begins[facet]; i < facets->begins[facet + 1]; i++) {
-        if (!zr_feature_has_steps(work, 3)) return false;
+        if (!zr_feature_has_steps(work, 1)) return false;
         for (int k = 0; k < 3; k++) {
             const zr_dvec3 p = zr_dvec3_sub(place_of(facets, facets->triangles[i], k), frame->center);
             const double x = zr_dvec3_dot(p, frame->u), y = zr_dvec3_dot(p, frame->v), z = zr_dvec3_dot(p, frame->axis);
-            const double at = zr_dvec3_dot(p, along), radius = sqrt(x * x + y * y);
+            const double at = zr_dvec3_dot(p, along), squares = x * x + y * y;
+            if (squares > squares_most) return false;
             if (at < first) {
                 first = at;
                 out->first[0] = x;
                 out->first[1] = y;
-                out->first_radius = radius;
             }
             if (at > last) {
                 last = at;
                 out->last[0] = x;
                 out->last[1] = y;
-                out->last_radius = radius;
             }
-            out->least = fmin(out->least, radius);
-            out->most = fmax(out->most, radius);
-            out->low = fmin(out->low, z);
-            out->high = fmax(out->high, z);
+            if (squares < least) least = squares;
+            if (squares > most) most = squares;
+            if (z < out->low) out->low = z;
+            if (z > out->high) out->high = z;
         }
-        if (last - first > width_most) return false;
     }
+    const double x = out->first[0] + out->last[0], y = out->first[1] + out->last[1], length = sqrt(x * x + y * y);
+    if (length > 0.0)
+        out->outwards = (x * zr_dvec3_dot(normal, frame->u) + y * zr_dvec3_dot(normal, frame->v)) / length;
+    out->first_radius = sqrt(out->first[0] * out->first[0] + out->first[1] * out->first[1]);
+    out->last_radius = sqrt(out->last[0] * out->last[0] + out->last[1] * out->last[1]);
+    out->width = last - first;
+    out->least = sqrt(least);
+    out->most = sqrt(most);
     return true;
 }
 

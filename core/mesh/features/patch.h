@@ -19,13 +19,22 @@ struct zr_patch {
 struct zr_facet_span {
     double first[2], last[2]; /* across the axis, from the centre */
     double first_radius, last_radius;
+    double width;       /* across the axis */
     double least, most; /* distances of corners from the axis */
     double low, high;   /* along the axis, from the centre */
+    double outwards;    /* cosine of the angle between its normal and the way from the centre to its middle */
 };
 
-/* Measures a facet. False if its normal is along the axis, it is wider than `width_most`, or no steps are left. */
+/* Returns true if the facet faces away from the axis, or towards it. */
+static inline bool zr_facet_span_faces(const struct zr_facet_span *span, bool is_concave)
+{
+    return (is_concave ? 0.0 - span->outwards : span->outwards) > 0.9;
+}
+
+/* Measures a facet. False if its normal is along the axis, a corner is farther from the axis than `radius_most`, or no
+ * steps are left. */
 bool zr_facet_span_of(struct zr_feature_work *work, const struct zr_facets *facets, uint32_t facet,
-                      const struct zr_cylinder_frame *frame, double width_most, struct zr_facet_span *out);
+                      const struct zr_cylinder_frame *frame, double radius_most, struct zr_facet_span *out);
 
 /* Fits a frame to facets: its axis, centre and radius. `frame` is a first guess. False if there is no such cylinder. */
 bool zr_patch_fit(struct zr_feature_work *work, const struct zr_facets *facets, const uint32_t *list, uint32_t count,

@@ -5,10 +5,18 @@
 #include "base/sort.h"
 #include "mesh/features/smooth_ends.h"
 
-enum { ROUNDS = 20, FACETS_LEAST = 3, FACETS_OF_FREE_FORM = 4 };
+enum {
+    SMALL = 2 /* triangles of a facet */,
+    ROUNDS = 20,
+    FACETS_LEAST = 3,
+    FACETS_OF_FREE_FORM = 4,
+    FACETS_OF_CYLINDER = 6,
+    SEEDS_IN_VAIN = 1 << 18
+};
 
 static const double COS_SOFT = 0.469;                     /* 62 degrees */
 static const double WIDTHS_MOST = 2.5;                    /* of neighbours in a seed */
+static const double WIDTH_MOST = 1.1;                     /* of a facet, of the radius */
 static const double ACROSS = 5e-3;                        /* sine of the tilt of a facet against the axis */
 static const double ACROSS_ON_CIRCLE = 0.1;               /* the same if all its corners lie on the cylinder */
 static const double GROW_RADIUS = 2e-3, GROW_SIZE = 1e-5; /* distance from the circle, of radius and size */
@@ -23,6 +31,7 @@ struct growing {
     struct zr_patch *patches;
     uint32_t *list; /* facets of patches */
     uint32_t count, listed;
+    uint32_t since; /* seeds since a patch like a cylinder */
 };
 
 static zr_dvec3 place_of(const struct zr_facets *facets, uint32_t triangle, int corner)
@@ -41,19 +50,16 @@ static bool fits(const struct growing *g, const struct zr_patch *patch, uint32_t
 {
     const struct zr_cylinder_frame *frame = &patch->frame;
     const zr_dvec3 normal = g->facets->normals[facet];
-    const double tolerance = fmax(GROW_RADIUS * frame->radius, GROW_SIZE * g->facets->surface->size);
+    const double tolerance = zr_most_of(GROW_RADIUS * frame->radius, GROW_SIZE * g->facets->surface->size);
     const double tilt = fabs(zr_dvec3_dot(normal, frame->axis));
     struct zr_facet_span span;
     if (tilt > ACROSS_ON_CIRCLE) return false;
-    if (!zr_facet_span_of(g->work, g->facets, facet, frame, 1.1 * frame->radius + tolerance, &span)) return false;
+    if (!zr_facet_span_of(g->work, g->facets, facet, frame, frame->radius + tolerance, &span)) return false;
     if (!is_on_circle(span.first_radius, frame, tolerance) || !is_on_circle(span.last_radius, frame, tolerance) ||
-        span.most > frame->radius + tolerance)
+        span.width > WIDTH_MOST * frame->radius)
         return false;
     if (tilt > ACROSS && span.least < frame->radius - tolerance) return false;
-    const double x = zr_dvec3_dot(normal, frame->u), y = zr_dvec3_dot(normal, frame->v);
-    const double outwards =
-        (x * (span.first[0] + span.last[0]) + y * (span.first[1] + span.last[1])) / (2.0 * frame->radius);
-    return (patch->is_concave ? 0.0 - outwards : outwards) > 0.75;
+    return zr_facet_span_faces(&span, patch->is_concave);
 }
 
 static void append(struct growing *g, struct zr_patch *patch, uint32_t facet)
@@ -104,10 +110,10 @@ static bool measure(const struct growing *g, struct zr_patch *patch)
     for (uint32_t i = patch->begin; i < patch->end; i++) {
         if (!zr_facet_span_of(g->work, g->facets, g->list[i], &patch->frame, HUGE_VAL, &span)) return false;
         if (!is_on_circle(span.first_radius, &patch->frame, tolerance) ||
-            !is_on_circle(span.last_radius, &patch->frame, tolerance))
+            !is_on_circle(span.last_radius, &patch->frame, tolerance) || !zr_facet_span_faces(&span, patch->is_concave))
             return false;
-        patch->low = fmin(patch->low, span.low);
-        patch->high = fmax(patch->high, span.high);
+        patch->low = zr_least_of(patch->low, span.low);
+        patch->high = zr_most_of(patch->high, span.high);
     }
     return true;
 }
@@ -123,8 +129,8 @@ static double width_of(const struct growing *g, uint32_t facet, zr_dvec3 edge, z
         if (!zr_feature_has_steps(g->work, 1)) return 0.0;
         for (int k = 0; k < 3; k++) {
             const double at = zr_dvec3_dot(zr_dvec3_sub(place_of(facets, facets->triangles[i], k), edge), inwards);
-            low = fmin(low, at);
-            high = fmax(high, at);
+            low = zr_least_of(low, at);
+            high = zr_most_of(high, at);
         }
         if (high > most) return 0.0;
     }
@@ -173,6 +179,24 @@ static bool plant(struct growing *g, uint32_t side, struct zr_patch *patch)
     return true;
 }
 
+/* Returns true if a third facet beside a small one of a seed may be on the same cylinder. Most facets of free forms
+ * have none. */
+static bool may_go_on(const struct growing *g, uint32_t facet, uint32_t other, zr_dvec3 edge)
+{
+    const struct zr_facets *facets = g->facets;
+    const double square = zr_dvec3_dot(edge, edge) * (ACROSS_ON_CIRCLE * ACROSS_ON_CIRCLE);
+    if (facets->begins[facet + 1] - facets->begins[facet] > SMALL) return true;
+    for (uint32_t i = facets->begins[facet]; i < facets->begins[facet + 1]; i++)
+        for (int k = 0; k < 3; k++) {
+            const uint32_t next = facets->neighbours[facets->triangles[i]][k];
+            const uint32_t third = next == ZR_NO_FACET ? facet : facets->of_triangle[next];
+            const double along = zr_dvec3_dot(facets->normals[third], edge);
+            if (third != facet && third != other && g->owners[third] == ZR_NO_FACET && along * along <= square)
+                return true;
+        }
+    return false;
+}
+
 static void try_seed(struct growing *g, uint32_t side)
 {
     const struct zr_facets *facets = g->facets;
@@ -180,6 +204,9 @@ static void try_seed(struct growing *g, uint32_t side)
     struct zr_patch patch;
     if (g->owners[a] != ZR_NO_FACET || g->owners[b] != ZR_NO_FACET) return;
     if (g->attempts[a] != 0 && g->attempts[a] == g->attempts[b]) return;
+    const zr_dvec3 edge = zr_dvec3_sub(place_of(facets, side / 3, (int)((side % 3 + 1) % 3)),
+                                       place_of(facets, side / 3, (int)(side % 3)));
+    if (!may_go_on(g, a, b, edge) && !may_go_on(g, b, a, edge)) return;
     if (!plant(g, side, &patch)) return;
     bool is_kept = grow(g, &patch) && measure(g, &patch);
     if (is_kept && zr_patch_is_free(g->work, facets, &patch, g->list, g->owners, g->count)) {
@@ -189,6 +216,7 @@ static void try_seed(struct growing *g, uint32_t side)
             g->attempts[g->list[i]] = g->attempt;
     }
     if (is_kept) {
+        if (patch.end - patch.begin >= FACETS_OF_CYLINDER) g->since = 0;
         g->patches[g->count++] = patch;
         g->listed = patch.end;
         return;
@@ -233,7 +261,7 @@ bool zr_patches_find(struct zr_arena *arena, struct zr_feature_work *work, const
         memset(g.owners, 0xff, facets->count * sizeof *g.owners);
         const uint32_t count = list_seeds(&g, seeds);
         if (zr_feature_has_steps(work, 4 * (uint64_t)count)) zr_sort_u64(seeds, count);
-        for (uint32_t i = 0; i < count && zr_feature_has_steps(work, 1); i++)
+        for (uint32_t i = 0; i < count && g.since++ < SEEDS_IN_VAIN && zr_feature_has_steps(work, 1); i++)
             try_seed(&g, (uint32_t)seeds[i]);
     }
     zr_arena_close_scratch(&scratch, arena);

@@ -26,7 +26,7 @@ static double reach_of(struct zr_feature_work *work, const struct zr_facets *fac
     for (uint32_t i = begin; i < end && zr_feature_has_steps(work, 1); i++)
         for (int k = 0; k < 3; k++) {
             const zr_dvec3 cross = zr_dvec3_cross(zr_dvec3_sub(place_of(facets, facets->triangles[i], k), from), edge);
-            most = fmax(most, zr_dvec3_dot(cross, cross) / square);
+            most = zr_most_of(most, zr_dvec3_dot(cross, cross) / square);
         }
     return sqrt(most);
 }

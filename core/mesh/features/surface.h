@@ -8,6 +8,7 @@
 
 #include "base/cancel.h"
 #include "base/dvec3.h"
+#include "mesh/world_place.h"
 
 struct zr_surface {
     const zr_dvec3 *places;

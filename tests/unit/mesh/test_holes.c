@@ -1,5 +1,6 @@
 /* Features of parts: holes, bosses and fillets of plates that are made here, and bodies that have none. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "mesh/features/part_features.h"
@@ -136,6 +137,133 @@ TEST_AROUND(a_tube_is_a_boss_and_a_hole, open_arena, close_arena)
     assert_int_equal(holes->boss_count, 1);
     assert_hole(&holes->holes[0], 6, 12, ZR_REACH_THROUGH, 36);
     assert_about(holes->bosses[0].diameter, 10, 1e-4);
+}
+
+TEST_AROUND(half_channels_and_slots_have_no_holes, open_arena, close_arena)
+{
+    enum { STEPS = 16 };
+    plate_begin();
+    uint32_t rings[2];
+    for (int k = 0; k < 2; k++) { /* a block with half a channel on top, and a slot with round ends beside it */
+        rings[k] = plate_place(10, k ? 20 : 0, -8);
+        plate_place(10, k ? 20 : 0, 0);
+        for (int i = 0; i <= STEPS; i++) {
+            double s, c;
+            zr_sine_cosine(180.0 * i / STEPS, &s, &c);
+            plate_place(5 * c, k ? 20 : 0, 0.0 - 5 * s);
+        }
+        plate_place(-10, k ? 20 : 0, 0);
+        plate_place(-10, k ? 20 : 0, -8);
+    }
+    for (uint32_t i = 0; i < STEPS + 5; i++) {
+        const uint32_t next = (i + 1) % (STEPS + 5);
+        plate_quad(rings[0] + i, rings[0] + next, rings[1] + next, rings[1] + i);
+    }
+    plate_face();
+    plate_ring(rings[0], STEPS + 5, true);
+    plate_face();
+    plate_ring(rings[1], STEPS + 5, false);
+    const struct zr_holes *holes = find();
+    assert_int_equal(holes->hole_count, 0);
+    assert_int_equal(holes->boss_count, 0);
+    assert_int_equal(holes->fillet_count, 1);
+    assert_about(holes->fillets[0].radius, 5, 1e-4);
+}
+
+/* ---- random plates ---- */
+
+static double uniform(struct random *random, double low, double high)
+{
+    return low + (high - low) * (double)(random_next(random) >> 11) * 0x1p-53;
+}
+
+/* Makes a drill that keeps clear of the others. False if there is no place for it. */
+static bool make_drill(struct random *random, double width, double length, double height, const struct drill *others,
+                       uint32_t count, struct drill *out)
+{
+    const int kind = (int)(random_next(random) % 6);
+    *out = (struct drill){.radius = uniform(random, 0.01, 0.08) * width,
+                          .segments = 12 + (uint32_t)(random_next(random) % 85)};
+    if (kind == 1 || kind == 2) out->depth = uniform(random, 0.2, 0.6) * height;
+    if (kind == 2) out->tip = 0.6 * out->radius < 0.3 * height ? 0.6 * out->radius : 0.3 * height;
+    if (kind == 3) {
+        out->bore = uniform(random, 1.2, 2.0) * out->radius;
+        out->bore_depth = uniform(random, 0.2, 0.7) * height;
+    }
+    if (kind == 4) out->cone = uniform(random, 0.1, 0.5) * zr_least_of(out->radius, height);
+    if (kind == 5) out->height = uniform(random, 0.1, 2.0) * height;
+    const double reach = zr_most_of(out->radius + out->cone, out->bore);
+    for (int try = 0; try < 50; try++) {
+        bool is_free = true;
+        out->x = uniform(random, -0.5, 0.5) * (width - 2.1 * reach);
+        out->y = uniform(random, -0.5, 0.5) * (length - 2.1 * reach);
+        for (uint32_t i = 0; i < count && is_free; i++) {
+            const double x = out->x - others[i].x, y = out->y - others[i].y,
+                         other = zr_most_of(others[i].radius + others[i].cone, others[i].bore);
+            is_free = x * x + y * y > 1.05 * (reach + other) * 1.05 * (reach + other);
+        }
+        if (is_free) return true;
+    }
+    return false;
+}
+
+struct score {
+    int wanted, found, right;
+};
+
+static void add_score(const struct zr_holes *holes, const struct drill *drills, uint32_t count, double height,
+                      struct score *score)
+{
+    score->found += (int)holes->hole_count;
+    for (uint32_t i = 0; i < count; i++) {
+        const struct drill *d = &drills[i];
+        if (d->height > 0.0) continue;
+        const double bore = d->bore > 0.0 ? d->bore_depth : 0.0, mouth = height - d->cone;
+        const double depth = d->depth > 0.0 ? d->depth : height - bore - d->cone;
+        const struct plate_point p = plate_direction(plate.turn, (struct plate_point){d->x, d->y, mouth});
+        score->wanted++;
+        for (uint32_t k = 0; k < holes->hole_count; k++) {
+            const struct zr_hole *hole = &holes->holes[k];
+            const zr_dvec3 place = {p.x + plate.move[0], p.y + plate.move[1], p.z + plate.move[2]};
+            const zr_dvec3 from = zr_dvec3_sub(place, hole->at),
+                           to = zr_dvec3_add_scaled(from, hole->axis, 0.0 - depth);
+            const bool has_two = hole->reach == ZR_REACH_THROUGH && hole->step_count == 0; /* ends alike */
+            const double off = sqrt(zr_least_of(zr_dvec3_dot(from, from), has_two ? zr_dvec3_dot(to, to) : HUGE_VAL));
+            if (off < 0.05 * d->radius && fabs(hole->diameter - 2.0 * d->radius) < 0.002 * d->radius &&
+                fabs(hole->depth - depth) < 1e-3 * depth &&
+                hole->reach == (d->depth > 0.0 ? ZR_REACH_BLIND : ZR_REACH_THROUGH) &&
+                hole->step_count == (d->bore > 0.0) && hole->segments == d->segments)
+                score->right++;
+        }
+    }
+}
+
+TEST_AROUND(holes_of_random_plates_are_found, open_arena, close_arena)
+{
+    const char *rounds = getenv("PLATES");
+    const int plates = rounds ? atoi(rounds) : 60;
+    struct random random = random_seeded(58);
+    struct score score = {0, 0, 0};
+    for (int i = 0; i < plates; i++) {
+        struct drill drills[24];
+        const uint32_t most = 1 + (uint32_t)(random_next(&random) % 24);
+        const double width = uniform(&random, 1, 200), length = uniform(&random, 0.5, 1) * width,
+                     height = uniform(&random, 0.01, 0.3) * width;
+        uint32_t count = 0;
+        while (count < most && make_drill(&random, width, length, height, drills, count, &drills[count]))
+            count++;
+        plate_begin();
+        if (i % 3 > 0)
+            plate_turn(uniform(&random, 0, 360), uniform(&random, 0, 360), uniform(&random, -1, 1) * width,
+                       uniform(&random, -1, 1) * width, uniform(&random, -1, 1) * width);
+        plate_drilled(width, length, height, drills, count);
+        add_score(find(), drills, count, height, &score);
+        zr_arena_reset(&arena, SIZE_MAX);
+    }
+    if (rounds)
+        printf("%d holes, %d found, %d right: precision %.4f, recall %.4f\n", score.wanted, score.found, score.right,
+               (double)score.right / score.found, (double)score.right / score.wanted);
+    assert_true(score.right >= 0.99 * score.found && score.right >= 0.99 * score.wanted);
 }
 
 RUN_TESTS(NULL, NULL)
