@@ -47,22 +47,36 @@ static void rotate(double m[3][3], double vectors[3][3], int p, int q)
     }
 }
 
-zr_dvec3 zr_normal_sums_axis(const struct zr_normal_sums *sums)
+void zr_normal_sums_axes(const struct zr_normal_sums *sums, zr_dvec3 axes[3])
 {
     double m[3][3] = {{sums->xx, sums->xy, sums->xz}, {sums->xy, sums->yy, sums->yz}, {sums->xz, sums->yz, sums->zz}};
     double vectors[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    int least = 0;
+    int order[3] = {0, 1, 2};
     const double trace = m[0][0] + m[1][1] + m[2][2];
     for (int i = 0; i < SWEEPS && fabs(m[0][1]) + fabs(m[0][2]) + fabs(m[1][2]) > 1e-17 * trace; i++) {
         rotate(m, vectors, 0, 1);
         rotate(m, vectors, 0, 2);
         rotate(m, vectors, 1, 2);
     }
-    for (int k = 1; k < 3; k++)
-        if (m[k][k] < m[least][least]) least = k;
-    const zr_dvec3 axis = {vectors[0][least], vectors[1][least], vectors[2][least]};
-    const double scale = 1.0 / sqrt(zr_dvec3_dot(axis, axis));
-    return (zr_dvec3){axis.x * scale, axis.y * scale, axis.z * scale};
+    for (int i = 0; i < 2; i++)
+        for (int k = 2; k > i; k--) {
+            const int low = order[k - 1], high = order[k];
+            if (m[high][high] >= m[low][low]) continue;
+            order[k - 1] = high;
+            order[k] = low;
+        }
+    for (int k = 0; k < 3; k++) {
+        const zr_dvec3 axis = {vectors[0][order[k]], vectors[1][order[k]], vectors[2][order[k]]};
+        const double scale = 1.0 / sqrt(zr_dvec3_dot(axis, axis));
+        axes[k] = (zr_dvec3){axis.x * scale, axis.y * scale, axis.z * scale};
+    }
+}
+
+zr_dvec3 zr_normal_sums_axis(const struct zr_normal_sums *sums)
+{
+    zr_dvec3 axes[3];
+    zr_normal_sums_axes(sums, axes);
+    return axes[0];
 }
 
 void zr_circle_sums_add(struct zr_circle_sums *sums, double x, double y)

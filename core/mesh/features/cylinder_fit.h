@@ -28,6 +28,9 @@ void zr_cylinder_frame_turn(struct zr_cylinder_frame *frame, zr_dvec3 axis);
 
 void zr_normal_sums_add(struct zr_normal_sums *sums, zr_dvec3 normal, double weight);
 
+/* Returns the eigenvectors of the sums, of unit length, that of the least eigenvalue first. */
+void zr_normal_sums_axes(const struct zr_normal_sums *sums, zr_dvec3 axes[3]);
+
 /* Returns the unit vector that is most nearly at right angles to the normals. */
 zr_dvec3 zr_normal_sums_axis(const struct zr_normal_sums *sums);
 

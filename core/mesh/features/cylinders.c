@@ -189,11 +189,11 @@ static uint32_t add_group(const struct joining *j, const uint64_t *group, uint32
 }
 
 bool zr_cylinders_find(struct zr_arena *arena, struct zr_feature_work *work, const struct zr_facets *facets,
-                       struct zr_cylinders *out)
+                       const struct zr_seeds *seeds, struct zr_cylinders *out)
 {
     struct zr_patches patches;
     struct zr_arena scratch = zr_arena_open_scratch(arena);
-    bool ok = zr_patches_find(&scratch, work, facets, &patches);
+    bool ok = zr_patches_find(&scratch, work, facets, seeds, &patches);
     struct joining j = {.work = work, .facets = facets, .patches = &patches};
     struct zr_cylinder *cylinders = NULL;
     *out = (struct zr_cylinders){.count = 0};

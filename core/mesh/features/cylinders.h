@@ -26,7 +26,7 @@ struct zr_cylinders {
 
 /* Finds the cylinders, in the arena. False without memory or steps. */
 bool zr_cylinders_find(struct zr_arena *arena, struct zr_feature_work *work, const struct zr_facets *facets,
-                       struct zr_cylinders *out);
+                       const struct zr_seeds *seeds, struct zr_cylinders *out);
 
 /* Returns true if two axes are the same: parallel, and the middle of `b` is on that of `a`, to a tolerance. */
 bool zr_cylinders_share_axis(const struct zr_cylinder *a, const struct zr_cylinder *b, double tolerance);

@@ -19,6 +19,7 @@ struct making {
     double *longest;   /* per triangle: length of its longest side */
     uint32_t *ends;    /* per place */
     uint64_t *entries; /* per side: its higher place, and its number */
+    uint32_t border_count;
 };
 
 static bool is_due(const struct making *m, size_t i)
@@ -45,20 +46,27 @@ static bool is_upward(const struct zr_surface *surface, uint32_t side)
     return surface->corners[side / 3][side % 3] == lower_of(surface, side);
 }
 
+/* Marks a side whose edge no other triangle uses, until the borders are listed. */
+#define BORDER (UINT32_MAX - 1)
+
 /* Pairs the sides in a list of entries, which is sorted. */
-static void pair_sides(const struct making *m, const uint64_t *entries, uint32_t count)
+static void pair_sides(struct making *m, const uint64_t *entries, uint32_t count)
 {
     for (uint32_t i = 0, next; i < count; i = next) {
         for (next = i + 1; next < count && entries[next] >> 32 == entries[i] >> 32; next++) {
         }
         const uint32_t a = (uint32_t)entries[i], b = (uint32_t)entries[next - 1];
+        if (next - i == 1) {
+            m->neighbours[a / 3][a % 3] = BORDER;
+            m->border_count++;
+        }
         if (next - i != 2 || is_upward(m->surface, a) == is_upward(m->surface, b)) continue;
         m->neighbours[a / 3][a % 3] = b / 3;
         m->neighbours[b / 3][b % 3] = a / 3;
     }
 }
 
-static bool find_neighbours(const struct making *m)
+static bool find_neighbours(struct making *m)
 {
     const struct zr_surface *surface = m->surface;
     const uint32_t sides = 3 * surface->triangle_count;
@@ -80,6 +88,24 @@ static bool find_neighbours(const struct making *m)
         zr_sort_u64(m->entries + first, count);
         pair_sides(m, m->entries + first, count);
     }
+    return true;
+}
+
+/* Lists the borders, in the order of sides. */
+static bool list_borders(struct zr_arena *arena, struct zr_arena *scratch, const struct making *m,
+                         struct zr_facets *out)
+{
+    uint32_t count = 0;
+    uint32_t *borders = zr_arena_alloc_beside(arena, scratch, m->border_count, sizeof *borders);
+    if (!borders) return false;
+    for (uint32_t s = 0; s < 3 * m->surface->triangle_count; s++) {
+        if (is_due(m, s)) return false;
+        if (m->neighbours[s / 3][s % 3] != BORDER) continue;
+        m->neighbours[s / 3][s % 3] = ZR_NO_FACET;
+        borders[count++] = s;
+    }
+    out->borders = borders;
+    out->border_count = count;
     return true;
 }
 
@@ -227,7 +253,8 @@ bool zr_facets_make(struct zr_arena *arena, struct zr_feature_work *work, const 
                               .triangles = triangles,
                               .normals = normals,
                               .areas = areas};
-    const bool ok = zr_arena_ok(arena) && zr_arena_ok(&scratch) && find_neighbours(&m) && join_triangles(&m) &&
+    const bool ok = zr_arena_ok(arena) && zr_arena_ok(&scratch) && find_neighbours(&m) &&
+                    list_borders(arena, &scratch, &m, out) && join_triangles(&m) &&
                     list(&m, of_triangle, begins, triangles, &out->count) && sum_areas(&m, out, normals, areas);
     zr_arena_close_scratch(&scratch, arena);
     return ok;

@@ -22,6 +22,8 @@ struct zr_facets {
     const uint32_t *triangles;       /* by facet, ascending */
     const zr_dvec3 *normals;         /* unit length; 0 if the facet has no area */
     const double *areas;
+    uint32_t border_count;
+    const uint32_t *borders; /* sides 3 t + k whose edge no other triangle uses, ascending */
 };
 
 /* Makes the facets in the arena: some 100 bytes per triangle. False without memory or steps. */

@@ -297,13 +297,13 @@ static bool list_all(struct finding *f, struct zr_holes *out, struct zr_hole *ho
 }
 
 bool zr_holes_find(struct zr_arena *arena, struct zr_feature_work *work, const struct zr_facets *facets,
-                   struct zr_holes *out)
+                   const struct zr_seeds *seeds, struct zr_holes *out)
 {
     struct zr_arena scratch = zr_arena_open_scratch(arena);
     struct zr_cylinders cylinders;
     struct finding f = {.work = work, .facets = facets};
     *out = (struct zr_holes){.hole_count = 0};
-    bool ok = zr_cylinders_find(&scratch, work, facets, &cylinders);
+    bool ok = zr_cylinders_find(&scratch, work, facets, seeds, &cylinders);
     uint32_t fillets = 0;
     for (uint32_t i = 0; ok && i < cylinders.count; i++) {
         f.count += is_round(&cylinders.at[i]);

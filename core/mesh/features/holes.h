@@ -52,6 +52,6 @@ struct zr_holes {
 
 /* Finds them, in the arena. False without memory or steps. */
 bool zr_holes_find(struct zr_arena *arena, struct zr_feature_work *work, const struct zr_facets *facets,
-                   struct zr_holes *out);
+                   const struct zr_seeds *seeds, struct zr_holes *out);
 
 #endif

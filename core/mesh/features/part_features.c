@@ -119,22 +119,102 @@ struct finding {
     struct zr_part_features *features;
 };
 
-/* Copies the lists of holes, beside scratch that is open, and moves them. False without memory. */
-static bool keep(struct zr_arena *arena, struct zr_arena *scratch, zr_dvec3 origin, struct zr_holes *holes)
+/* Copies a list, beside scratch that is open. */
+static void *keep_list(struct zr_arena *arena, struct zr_arena *scratch, const void *list, size_t count, size_t size)
 {
-    const uint32_t both = holes->hole_count + holes->boss_count;
-    struct zr_hole *all = zr_arena_alloc_beside(arena, scratch, both, sizeof *all);
-    struct zr_fillets *fillets = zr_arena_alloc_beside(arena, scratch, holes->fillet_count, sizeof *fillets);
-    if (!all || !fillets) return false;
-    memcpy(all, holes->holes, holes->hole_count * sizeof *all);
-    memcpy(all + holes->hole_count, holes->bosses, holes->boss_count * sizeof *all);
-    if (holes->fillet_count > 0) memcpy(fillets, holes->fillets, holes->fillet_count * sizeof *fillets);
-    for (uint32_t i = 0; i < both; i++)
-        all[i].at = zr_dvec3_add_scaled(all[i].at, origin, 1.0);
-    holes->holes = all;
-    holes->bosses = all + holes->hole_count;
-    holes->fillets = fillets;
-    return true;
+    void *kept = zr_arena_alloc_beside(arena, scratch, count, size);
+    if (kept && count > 0) memcpy(kept, list, count * size);
+    return kept;
+}
+
+/* Copies all lists. False without memory. */
+static bool keep(struct zr_arena *arena, struct zr_arena *scratch, struct zr_part_features *f)
+{
+    struct zr_holes *holes = &f->holes;
+    holes->holes = keep_list(arena, scratch, holes->holes, holes->hole_count, sizeof *holes->holes);
+    holes->bosses = keep_list(arena, scratch, holes->bosses, holes->boss_count, sizeof *holes->bosses);
+    holes->fillets = keep_list(arena, scratch, holes->fillets, holes->fillet_count, sizeof *holes->fillets);
+    f->planes.at = keep_list(arena, scratch, f->planes.at, f->planes.count, sizeof *f->planes.at);
+    f->borders.at = keep_list(arena, scratch, f->borders.at, f->borders.count, sizeof *f->borders.at);
+    return holes->holes && holes->bosses && holes->fillets && f->planes.at && f->borders.at;
+}
+
+/* Features of a surface, found by two threads: holes, and the rest. */
+struct halves {
+    const struct zr_surface *surface;
+    const struct zr_facets *facets;
+    const struct zr_seeds *seeds;
+    struct zr_arena *arenas[2];
+    struct zr_feature_work works[2];
+    struct zr_part_features *out;
+};
+
+static void find_rest(struct zr_arena *arena, struct zr_feature_work *work, const struct zr_surface *surface,
+                      const struct zr_facets *facets, struct zr_part_features *out)
+{
+    if (!zr_planes_find(arena, work, facets, &out->planes)) out->planes.count = 0;
+    if (!zr_borders_find(arena, work, facets, &out->borders)) out->borders.count = 0;
+    if (!zr_symmetry_begin(work, surface, &out->symmetry)) return;
+    out->cylinder = zr_bounding_cylinder_find(work, surface, out->symmetry.directions, out->symmetry.direction_count);
+    out->has_symmetry = zr_symmetry_find(arena, work, surface, &out->symmetry);
+}
+
+static void find_half(void *context, size_t begin, size_t end)
+{
+    struct halves *h = context;
+    for (size_t i = begin; i < end; i++) {
+        if (i == 0)
+            h->out->is_omitted = !zr_holes_find(h->arenas[0], &h->works[0], h->facets, h->seeds, &h->out->holes);
+        else
+            find_rest(h->arenas[1], &h->works[1], h->surface, h->facets, h->out);
+    }
+}
+
+/* Finds the features of a surface. Lists are in the arena. The rest has memory of its own, of a fixed size, so that it
+ * is found or left out whatever the number of threads. */
+static void find_of_surface(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                            const struct zr_surface *surface, uint64_t steps, struct zr_part_features *out)
+{
+    const struct zr_feature_work whole = {.cancel = cancel, .steps_most = steps};
+    struct halves halves = {.surface = surface, .works = {whole, whole}, .out = out};
+    struct zr_facets facets;
+    struct zr_seeds seeds;
+    struct zr_arena rest;
+    const size_t size = ((size_t)ZR_FEATURE_BYTES_OF_REST * surface->triangle_count + ZR_FEATURE_BYTES_OF_REST_LEAST) &
+                        ~(size_t)(ZR_ARENA_ALIGN - 1);
+    if (!zr_facets_make(arena, &halves.works[0], surface, &facets) ||
+        !zr_seeds_find(arena, team, &halves.works[0], &facets, &seeds)) {
+        out->is_omitted = true;
+        return;
+    }
+    void *room = zr_arena_alloc(arena, size, 1);
+    if (!room) return;
+    zr_arena_init_within(&rest, room, size);
+    halves.facets = &facets;
+    halves.seeds = &seeds;
+    halves.arenas[0] = arena;
+    halves.arenas[1] = &rest;
+    zr_team_ranges(team, 2, 1, find_half, &halves);
+    if (out->is_omitted) out->holes = (struct zr_holes){.hole_count = 0};
+}
+
+/* Moves places of a part from its origin to world space. The lists are in memory of this step. */
+static void place(struct zr_part_features *f, zr_dvec3 origin)
+{
+    struct zr_hole *holes[] = {(struct zr_hole *)(uintptr_t)f->holes.holes,
+                               (struct zr_hole *)(uintptr_t)f->holes.bosses};
+    const uint32_t counts[] = {f->holes.hole_count, f->holes.boss_count};
+    struct zr_plane *planes = (struct zr_plane *)(uintptr_t)f->planes.at;
+    struct zr_border *borders = (struct zr_border *)(uintptr_t)f->borders.at;
+    for (int k = 0; k < 2; k++)
+        for (uint32_t i = 0; i < counts[k]; i++)
+            holes[k][i].at = zr_dvec3_add_scaled(holes[k][i].at, origin, 1.0);
+    for (uint32_t i = 0; i < f->planes.count; i++)
+        planes[i].offset += zr_dvec3_dot(planes[i].normal, origin);
+    for (uint32_t i = 0; i < f->borders.count; i++)
+        borders[i].center = zr_dvec3_add_scaled(borders[i].center, origin, 1.0);
+    f->cylinder.at = zr_dvec3_add_scaled(f->cylinder.at, origin, 1.0);
+    f->symmetry.center = zr_dvec3_add_scaled(f->symmetry.center, origin, 1.0);
 }
 
 static enum zr_status find_of_part(const struct finding *f, struct zr_arena *arena, const struct cut_mesh *cut,
@@ -146,17 +226,16 @@ static enum zr_status find_of_part(const struct finding *f, struct zr_arena *are
     const bool is_turned = (f->facts[number].is_closed && f->facts[number].volume < 0.0) != zr_mat4_is_mirror(matrix);
     struct zr_part_features *out = &f->features[number];
     struct zr_arena scratch = zr_arena_open_scratch(arena);
-    struct zr_feature_work work = {.cancel = f->run->cancel, .steps_most = ZR_FEATURE_STEPS_MIN / f->parts->count};
     struct zr_surface surface;
-    struct zr_facets facets;
     zr_dvec3 origin = {0, 0, 0};
     bool ok = true;
     if (make_surface(&scratch, f->run->cancel, mesh, cut, part->number, matrix, is_turned, &surface, &origin)) {
-        work.steps_most += ZR_FEATURE_STEPS * (uint64_t)surface.triangle_count;
-        out->is_omitted = !(zr_facets_make(&scratch, &work, &surface, &facets) &&
-                            zr_holes_find(&scratch, &work, &facets, &out->holes));
-        if (out->is_omitted) out->holes = (struct zr_holes){.hole_count = 0};
-        ok = keep(arena, &scratch, origin, &out->holes);
+        const uint64_t steps =
+            ZR_FEATURE_STEPS_MIN / f->parts->count + ZR_FEATURE_STEPS * (uint64_t)surface.triangle_count;
+        out->size = surface.size;
+        find_of_surface(&scratch, f->run->team, f->run->cancel, &surface, steps, out);
+        place(out, origin);
+        ok = keep(arena, &scratch, out);
     }
     ok = ok && zr_arena_ok(&scratch);
     zr_arena_close_scratch(&scratch, arena);
@@ -188,7 +267,7 @@ static enum zr_status find_of_mesh(const struct finding *f, uint32_t begin, uint
     for (uint32_t p = begin; p < end && status == ZR_OK; p++)
         status = find_of_part(f, &scratch, &cut, p);
     for (uint32_t p = begin; p < end && status == ZR_OK; p++)
-        if (!keep(f->run->arena, &scratch, (zr_dvec3){0, 0, 0}, &f->features[p].holes)) status = ZR_NO_MEMORY;
+        if (!keep(f->run->arena, &scratch, &f->features[p])) status = ZR_NO_MEMORY;
     zr_arena_close_scratch(&scratch, f->run->arena);
     return status;
 }

@@ -1,5 +1,10 @@
 #include "mesh/features/patch.h"
 
+static const double WIDTH_MOST = 1.1;                     /* of a facet, of the radius */
+static const double ACROSS = 5e-3;                        /* sine of the tilt of a facet against the axis */
+static const double ACROSS_ON_CIRCLE = 0.1;               /* the same if all its corners lie on the cylinder */
+static const double GROW_RADIUS = 2e-3, GROW_SIZE = 1e-5; /* distance from the circle, of radius and size */
+
 static zr_dvec3 place_of(const struct zr_facets *facets, uint32_t triangle, int corner)
 {
     return facets->surface->places[facets->surface->corners[triangle][corner]];
@@ -67,4 +72,21 @@ bool zr_patch_fit(struct zr_feature_work *work, const struct zr_facets *facets, 
     if (!zr_circle_sums_fit(&circle, &x, &y, &frame->radius)) return false;
     frame->center = zr_dvec3_add_scaled(zr_dvec3_add_scaled(frame->center, frame->u, x), frame->v, y);
     return frame->radius < ZR_PATCH_RADIUS_MOST * facets->surface->size;
+}
+
+bool zr_patch_fits(struct zr_feature_work *work, const struct zr_facets *facets, const struct zr_patch *patch,
+                   uint32_t facet)
+{
+    const struct zr_cylinder_frame *frame = &patch->frame;
+    const zr_dvec3 normal = facets->normals[facet];
+    const double tolerance = zr_most_of(GROW_RADIUS * frame->radius, GROW_SIZE * facets->surface->size);
+    const double tilt = fabs(zr_dvec3_dot(normal, frame->axis));
+    struct zr_facet_span span;
+    if (tilt > ACROSS_ON_CIRCLE) return false;
+    if (!zr_facet_span_of(work, facets, facet, frame, frame->radius + tolerance, &span)) return false;
+    if (!zr_radius_fits(span.first_radius, frame, tolerance) || !zr_radius_fits(span.last_radius, frame, tolerance) ||
+        span.width > WIDTH_MOST * frame->radius)
+        return false;
+    if (tilt > ACROSS && span.least < frame->radius - tolerance) return false;
+    return zr_facet_span_faces(&span, patch->is_concave);
 }

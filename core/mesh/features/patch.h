@@ -5,7 +5,8 @@
 #include "mesh/features/cylinder_fit.h"
 #include "mesh/features/facets.h"
 
-#define ZR_PATCH_RADIUS_MOST 10.0 /* of the size: beyond, a patch is flat */
+#define ZR_PATCH_SOFT        0.469 /* cosine of 62 degrees: between neighbours on a cylinder */
+#define ZR_PATCH_RADIUS_MOST 10.0  /* of the size: beyond, a patch is flat */
 
 struct zr_patch {
     struct zr_cylinder_frame frame;
@@ -35,6 +36,16 @@ static inline bool zr_facet_span_faces(const struct zr_facet_span *span, bool is
  * steps are left. */
 bool zr_facet_span_of(struct zr_feature_work *work, const struct zr_facets *facets, uint32_t facet,
                       const struct zr_cylinder_frame *frame, double radius_most, struct zr_facet_span *out);
+
+/* Returns true if a distance from the axis is the radius. */
+static inline bool zr_radius_fits(double distance, const struct zr_cylinder_frame *frame, double tolerance)
+{
+    return fabs(distance - frame->radius) <= tolerance;
+}
+
+/* Returns true if a facet lies on the cylinder of a patch. */
+bool zr_patch_fits(struct zr_feature_work *work, const struct zr_facets *facets, const struct zr_patch *patch,
+                   uint32_t facet);
 
 /* Fits a frame to facets: its axis, centre and radius. `frame` is a first guess. False if there is no such cylinder. */
 bool zr_patch_fit(struct zr_feature_work *work, const struct zr_facets *facets, const uint32_t *list, uint32_t count,
