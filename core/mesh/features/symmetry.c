@@ -7,6 +7,7 @@
 enum { BY_AREA = 1024, OTHERS = 2048, SAMPLES_MOST = BY_AREA + 2 * OTHERS };
 
 static const double REACH = 2e-3;       /* of the size */
+static const double SAME_MOMENT = 1e-3; /* of the sum of the three */
 static const double SAME_AXIS = 0.9999; /* cosine */
 
 /* Turns that no regular polygon of up to ZR_TURNS_MOST corners has. */
@@ -49,6 +50,12 @@ static void add_moments(struct zr_normal_sums *sums, const zr_dvec3 corners[3], 
     zr_normal_sums_add(sums, middle, 0.75 * area);
 }
 
+static double moment_along(const struct zr_normal_sums *s, zr_dvec3 a)
+{
+    return ((s->xx * a.x * a.x + s->yy * a.y * a.y) + s->zz * a.z * a.z) +
+           2.0 * ((s->xy * a.x * a.y + s->xz * a.x * a.z) + s->yz * a.y * a.z);
+}
+
 bool zr_symmetry_begin(struct zr_feature_work *work, const struct zr_surface *surface, struct zr_symmetry *out)
 {
     struct zr_normal_sums sums = {0};
@@ -70,9 +77,14 @@ bool zr_symmetry_begin(struct zr_feature_work *work, const struct zr_surface *su
         add_moments(&sums, corners, out->center, area);
     }
     zr_dvec3 axes[3];
+    double moments[3];
     zr_normal_sums_axes(&sums, axes);
     for (int k = 0; k < 3; k++)
-        add_direction(out, axes[k]);
+        moments[k] = moment_along(&sums, axes[k]);
+    const double least = SAME_MOMENT * (moments[0] + moments[1] + moments[2]);
+    for (int k = 0; k < 3; k++)
+        if (fabs(moments[k] - moments[(k + 1) % 3]) > least && fabs(moments[k] - moments[(k + 2) % 3]) > least)
+            add_direction(out, axes[k]);
     return true;
 }
 
