@@ -15,7 +15,7 @@ struct zr_patch {
     double low, high;    /* along the axis, from the frame's centre */
 };
 
-/* What a facet covers in the frame of a cylinder. Its outermost corners across the axis are `first` and `last`,
+/* The part of a cylinder that a facet covers, in the frame of the cylinder. Its outermost corners across the axis are `first` and `last`,
  * counterclockwise seen along the facet's own normal. */
 struct zr_facet_span {
     double first[2], last[2]; /* across the axis, from the centre */

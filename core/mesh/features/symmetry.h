@@ -2,9 +2,8 @@
  *
  * Center: the mean of the surface by area. All planes and axes of symmetry go through it.
  * Tried:  mirror images and turns across and around x, y and z, and the principal axes of the surface. A principal axis
- *         near one of x, y and z, to 0.8 degrees, is not tried, nor are two
- *         of equal moments. Turns of 2 to 24 times a circle; more, such as of a disc,
- *         are round.
+ *         near one of x, y and z, to 0.8 degrees, is not tried, nor are two of equal moments. Turns have orders from 2
+ *         to 24; more, such as those of a disc, are round.
  * Rule:   samples of the surface, mirrored or turned, lie on it, to 0.002 of the size: 1024 by area, and up to 2048 each
  *         of corners and of middles of triangles.
  */
