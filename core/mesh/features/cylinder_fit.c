@@ -1,6 +1,6 @@
 #include "mesh/features/cylinder_fit.h"
 
-enum { SWEEPS = 12 };
+enum { SWEEPS = 12, ITERATIONS = 4 };
 
 void zr_cylinder_frame_turn(struct zr_cylinder_frame *frame, zr_dvec3 axis)
 {
@@ -72,11 +72,26 @@ void zr_normal_sums_axes(const struct zr_normal_sums *sums, zr_dvec3 axes[3])
     }
 }
 
-zr_dvec3 zr_normal_sums_axis(const struct zr_normal_sums *sums)
+/* Multiplies by the adjugate of the sums, which is their inverse times a number: an inverse iteration, which also works
+ * if the least eigenvalue is 0. */
+zr_dvec3 zr_normal_sums_axis(const struct zr_normal_sums *s)
 {
-    zr_dvec3 axes[3];
-    zr_normal_sums_axes(sums, axes);
-    return axes[0];
+    const double xx = s->yy * s->zz - s->yz * s->yz, yy = s->xx * s->zz - s->xz * s->xz,
+                 zz = s->xx * s->yy - s->xy * s->xy;
+    const double xy = s->xz * s->yz - s->xy * s->zz, xz = s->xy * s->yz - s->xz * s->yy,
+                 yz = s->xy * s->xz - s->xx * s->yz;
+    zr_dvec3 axis = xx >= yy && xx >= zz ? (zr_dvec3){xx, xy, xz}
+                    : yy >= zz           ? (zr_dvec3){xy, yy, yz}
+                                         : (zr_dvec3){xz, yz, zz};
+    for (int i = 0; i < ITERATIONS; i++) {
+        const double square = zr_dvec3_dot(axis, axis), scale = square > 0.0 ? 1.0 / sqrt(square) : 0.0;
+        const zr_dvec3 v = {axis.x * scale, axis.y * scale, axis.z * scale};
+        axis = v;
+        if (i + 1 < ITERATIONS)
+            axis = (zr_dvec3){(xx * v.x + xy * v.y) + xz * v.z, (xy * v.x + yy * v.y) + yz * v.z,
+                              (xz * v.x + yz * v.y) + zz * v.z};
+    }
+    return axis;
 }
 
 void zr_circle_sums_add(struct zr_circle_sums *sums, double x, double y)

@@ -1,7 +1,7 @@
 /* cylinder_fit.h - mesh: the cylinder through facets, by least squares.
  *
  * How:    the axis is the direction that is most nearly at right angles to all normals: the eigenvector of the least
- *         eigenvalue of the sum of area * n * n^T (Jacobi's rotations). The circle across it goes through points by
+ *         eigenvalue of the sum of area * n * n^T, by inverse iteration. The circle across it goes through points by
  *         Kasa's fit, which is exact for points on a circle.
  */
 #ifndef ZR_CYLINDER_FIT_H
@@ -28,10 +28,10 @@ void zr_cylinder_frame_turn(struct zr_cylinder_frame *frame, zr_dvec3 axis);
 
 void zr_normal_sums_add(struct zr_normal_sums *sums, zr_dvec3 normal, double weight);
 
-/* Returns the eigenvectors of the sums, of unit length, that of the least eigenvalue first. */
+/* Returns the eigenvectors of the sums, of unit length, that of the least eigenvalue first, by Jacobi's rotations. */
 void zr_normal_sums_axes(const struct zr_normal_sums *sums, zr_dvec3 axes[3]);
 
-/* Returns the unit vector that is most nearly at right angles to the normals. */
+/* Returns the unit vector that is most nearly at right angles to the normals; 0 if all are parallel. */
 zr_dvec3 zr_normal_sums_axis(const struct zr_normal_sums *sums);
 
 void zr_circle_sums_add(struct zr_circle_sums *sums, double x, double y);

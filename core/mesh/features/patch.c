@@ -62,6 +62,7 @@ bool zr_patch_fit(struct zr_feature_work *work, const struct zr_facets *facets, 
     for (uint32_t i = 0; i < count; i++)
         zr_normal_sums_add(&normals, facets->normals[list[i]], facets->areas[list[i]]);
     zr_dvec3 axis = zr_normal_sums_axis(&normals);
+    if (zr_dvec3_dot(axis, axis) < 0.5) return false;
     if (zr_dvec3_dot(axis, frame->axis) < 0.0) axis = (zr_dvec3){0.0 - axis.x, 0.0 - axis.y, 0.0 - axis.z};
     zr_cylinder_frame_turn(frame, axis);
     for (uint32_t i = 0; i < count; i++) {

@@ -4,7 +4,7 @@
 
 #include "mesh/features/smooth_ends.h"
 
-enum { ROUNDS = 20, FACETS_LEAST = 3, FACETS_OF_FREE_FORM = 4, FACETS_OF_CYLINDER = 6, SEEDS_IN_VAIN = 1 << 16 };
+enum { ROUNDS = 20, FACETS_LEAST = 3, FACETS_OF_FREE_FORM = 4, FACETS_OF_CYLINDER = 8, SEEDS_IN_VAIN = 1 << 15 };
 
 static const double KEEP_RADIUS = 3e-3, KEEP_SIZE = 2e-5; /* distance of corners from the circle, of radius and size */
 
