@@ -31,6 +31,8 @@
         "pictures; false: only facts, by the channel info; nothing is drawn (default: true)")                          \
     ROW(visibility, "/visibility", ANY, BOOL,                                                                          \
         "pixels of each instance, drawn alone and visible, by the channels info and masks (default: false)")           \
+    ROW(features, "/features", ANY, BOOL,                                                                              \
+        "holes, bosses, fillets and planes of each part, by the channel info (default: false)")                        \
     ROW(views, "/views", ANY, PRESETS, "several views: names of presets with commas between them")                     \
     ROW(turntable, "/turntable/frames", ANY, WHOLE, "several views: their number, from around the scene")              \
     ROW(turntableElevation, "/turntable/elevation", ANY, DEGREES,                                                      \

@@ -79,7 +79,7 @@ static void print_facts(const char *path, const cJSON *value)
 
 /* ---- the table of parts ---- */
 
-enum { NAME_COLUMNS = 24 };
+enum { NAME_COLUMNS = 24, GROUPS_MAX = 12 };
 
 /* Prints a name in NAME_COLUMNS characters: a longer one is cut. */
 static void print_name(const char *name)
@@ -112,6 +112,39 @@ static void print_size(const cJSON *box)
     printf("  %-29s", text);
 }
 
+/* Prints a group of holes: "4 x ø3.2 through", "1 x ø5 blind, 8 deep". */
+static void print_holes(const cJSON *group, const char *before)
+{
+    const cJSON *through = cJSON_GetObjectItem(group, "through"), *step;
+    const cJSON *count = cJSON_GetObjectItem(group, "count"), *diameter = cJSON_GetObjectItem(group, "diameter"),
+                *depth = cJSON_GetObjectItem(group, "depth");
+    if (!cJSON_IsNumber(count) || !cJSON_IsNumber(diameter) || !cJSON_IsNumber(depth)) return;
+    printf("%s%.0f x \xc3\xb8%.4g", before, count->valuedouble, diameter->valuedouble);
+    cJSON_ArrayForEach(step, cJSON_GetObjectItem(group, "steps"))
+    {
+        const cJSON *wide = cJSON_GetObjectItem(step, "diameter");
+        if (cJSON_IsNumber(wide)) printf("/%.4g", wide->valuedouble);
+    }
+    if (cJSON_IsTrue(through)) fputs(" through", stdout);
+    if (cJSON_IsFalse(through)) fputs(" blind", stdout);
+    printf(" %.4g", depth->valuedouble);
+}
+
+/* Prints a line of holes, if there are some. */
+static void print_features(const cJSON *features)
+{
+    const cJSON *group;
+    int number = 0;
+    cJSON_ArrayForEach(group, cJSON_GetObjectItem(features, "holes"))
+    {
+        if (number < GROUPS_MAX) print_holes(group, number == 0 ? "  holes: " : ", ");
+        number++;
+    }
+    if (number > GROUPS_MAX) printf(", and %d more kinds", number - GROUPS_MAX);
+    if (number > 0) putchar('\n');
+    if (cJSON_IsTrue(cJSON_GetObjectItem(features, "omitted"))) puts("  features omitted: too many triangles");
+}
+
 static void print_part(const cJSON *part)
 {
     const cJSON *name = cJSON_GetObjectItem(part, "name"), *triangles = cJSON_GetObjectItem(part, "triangles"),
@@ -127,6 +160,7 @@ static void print_part(const cJSON *part)
         printf("  closed %12.6g\n", volume->valuedouble);
     else
         puts("  open              -");
+    print_features(cJSON_GetObjectItem(part, "features"));
 }
 
 static void print_parts(const cJSON *facts)
@@ -146,6 +180,7 @@ int command_info(struct options *options)
     if (options->file_count != 1) return options_wrong("info needs one file: \"zraster info part.stl\"");
     if (options->parameters[PARAMETER_channel]) return options_wrong("info has no --channel; leave it out");
     options->parameters[PARAMETER_channel] = "info";
+    if (!options->parameters[PARAMETER_features]) options->parameters[PARAMETER_features] = "true";
     int status = input_check_type(options);
     if (status == 0) status = engine_open(&engine, options, options_threads(options), 1);
     if (status != 0) return status;

@@ -4,6 +4,7 @@
 
 #include "output/images/palette.h"
 #include "output/json/camera_json.h"
+#include "output/json/features_json.h"
 #include "output/json/json_print.h"
 #include "output/masks.h"
 #include "scene/camera/camera.h"
@@ -270,6 +271,7 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
     print_shells(print, &facts->shells);
     print_edges(print, "openEdges", &facts->open_edges, moved);
     print_edges(print, "flippedEdges", &facts->flipped_edges, moved);
+    if (parts->features) zr_features_print(print, &parts->features[number], moved);
     if (parts->cap_areas) zr_print_double(print, "capArea", parts->cap_areas[number]);
     if (parts->pixels) zr_print_count(print, "pixels", parts->pixels[number]);
     print_color(print, facts->color);

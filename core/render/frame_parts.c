@@ -2,6 +2,7 @@
 
 #include "base/cancel.h"
 #include "base/run.h"
+#include "mesh/features/part_features.h"
 #include "sections/sections.h"
 
 /* Owner ids of an instance, and its first part. */
@@ -113,6 +114,16 @@ static struct zr_part_facts *list_parts(struct zr_arena *arena, const struct zr_
     return zr_arena_ok(arena) ? facts : NULL;
 }
 
+/* Finds the features of the parts if the scene asks for them. */
+static enum zr_status find_features(const struct zr_run *run, const struct zr_scene *scene,
+                                    struct zr_known_parts *parts)
+{
+    if (!scene->has_features) return ZR_OK;
+    struct zr_part_features *features = zr_arena_alloc(run->arena, parts->list.count, sizeof *features);
+    parts->features = features;
+    return features ? zr_part_features_find(run, scene, &parts->list, parts->facts, features) : ZR_NO_MEMORY;
+}
+
 enum zr_status zr_known_parts_make(const struct zr_run *run, const struct zr_scene *scene, struct zr_known_parts *out)
 {
     struct zr_part_facts *facts = list_parts(run->arena, scene, out);
@@ -121,7 +132,7 @@ enum zr_status zr_known_parts_make(const struct zr_run *run, const struct zr_sce
     const struct zr_run inner = zr_run_in(run, &scratch);
     const enum zr_status status = zr_part_facts_find(&inner, scene, &out->list, facts);
     zr_arena_close_scratch(&scratch, run->arena);
-    return status;
+    return status == ZR_OK ? find_features(run, scene, out) : status;
 }
 
 enum zr_status zr_frame_parts_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
@@ -134,11 +145,13 @@ enum zr_status zr_frame_parts_find(const struct zr_run *run, const struct zr_sce
     if (!known) {
         struct zr_part_facts *facts = list_parts(run->arena, scene, &own);
         status = facts ? zr_part_facts_find(&inner, scene, &own.list, facts) : ZR_NO_MEMORY;
+        if (status == ZR_OK) status = find_features(run, scene, &own);
         known = &own;
     }
     if (status != ZR_OK) return status;
     parts->list = known->list;
     parts->facts = known->facts;
+    parts->features = known->features;
     uint64_t *pixels = zr_arena_zero(run->arena, parts->list.count, sizeof *pixels);
     double *areas = zr_arena_zero(run->arena, frame->sections ? parts->list.count : 0, sizeof *areas);
     if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;

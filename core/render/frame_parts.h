@@ -12,10 +12,11 @@ enum { ZR_FRAME_PARTS_MAX = 1000 };
 /* Parts that are measured once for several views. */
 struct zr_known_parts {
     struct zr_part_list list;
-    const struct zr_part_facts *facts; /* per listed part */
+    const struct zr_part_facts *facts;       /* per listed part */
+    const struct zr_part_features *features; /* likewise; NULL: scene->has_features is false */
 };
 
-/* Lists and measures the parts, in `arena`. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Lists and measures the parts, and finds their features if the scene asks for them, in `arena`. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_known_parts_make(const struct zr_run *run, const struct zr_scene *scene, struct zr_known_parts *out);
 
 /* Fills in frame->parts; the list lies in `arena`, or is scene->known_parts. Counts pixels in frame->face_id, if there

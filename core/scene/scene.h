@@ -377,6 +377,7 @@ struct zr_scene {
     const char *const *warnings; /* of input/ and scene/ */
     bool is_strict;              /* warnings are errors */
     bool is_undrawn;             /* nothing is drawn, and all outputs are info */
+    bool has_features;           /* info lists holes and other features of parts */
     struct zr_read_counts counts;
     struct zr_file_facts file;
     const double *origin; /* three numbers that the reader subtracted from all positions; NULL: none */

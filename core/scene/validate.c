@@ -295,6 +295,8 @@ static void check_options(const struct zr_scene *scene, const struct zr_view *vi
     if (scene->base || is_painter) check_see_through(scene, error);
     if (is_painter) check_xrays(scene, view, error);
     if (is_painter) check_layers(view, error);
+    if (scene->has_features && !zr_view_wants(view, ZR_CHANNEL_INFO))
+        zr_error_add(error, ZR_BAD_SCENE, "/features", "no output shows them: add the channel info");
     if (zr_view_has_masks(view)) check_visibility(scene, view, error);
     if (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS)) check_pixels(view, error);
     if (scene->flow && zr_view_wants(view, ZR_CHANNEL_FLOW)) check_flow(scene, view, error);

@@ -33,10 +33,13 @@ struct zr_pixel_fragments {
     struct zr_pixel_fragment *at;
 };
 
+struct zr_part_features; /* mesh/features/part_features.h */
+
 /* The parts of the scene, for the channel info. */
 struct zr_frame_parts {
     struct zr_part_list list;
-    const struct zr_part_facts *facts; /* per listed part */
+    const struct zr_part_facts *facts;       /* per listed part */
+    const struct zr_part_features *features; /* likewise; NULL: not asked for */
     const uint64_t *pixels;  /* per listed part: pixel centres at which it is visible; NULL: nothing is drawn */
     const double *cap_areas; /* per listed part: area of its caps, world units; NULL: the scene is not cut open */
 };

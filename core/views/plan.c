@@ -107,6 +107,7 @@ static enum zr_status plan_view(const struct zr_run *run, struct zr_views *views
         if (views->shares_parts) { /* part of an earlier view's cost */
             zr_cost_remove(&cost, ZR_COST_FACT);
             zr_cost_remove(&cost, ZR_COST_INFO);
+            zr_cost_remove(&cost, ZR_COST_FEATURE);
         }
         views->shares_parts = true;
     }

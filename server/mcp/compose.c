@@ -196,6 +196,7 @@ bool mcp_compose(const struct mcp_job *job, const struct mcp_picture *picture, s
         put_picture(job, picture, &head);
     } else {
         put(&head, "render", "false");
+        put(&head, "features", "true");
         put_item(&head, "up", mcp_job_argument(job, "up"));
         drop_views(&head);
         take(&head, "visibility");

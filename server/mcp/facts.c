@@ -7,7 +7,15 @@
 
 #include "tree.h"
 
-enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12, SHELL_KINDS = 3, NAME_MAX_BYTES = 80, WARNING_MAX_BYTES = 1000 };
+enum {
+    GROUPS_DESCRIBED = 12,
+    PLACES_DESCRIBED = 12,
+    PARTS_MAX = 50,
+    PARTS_DESCRIBED = 12,
+    SHELL_KINDS = 3,
+    NAME_MAX_BYTES = 80,
+    WARNING_MAX_BYTES = 1000
+};
 
 static const char *const SHELLS[SHELL_KINDS] = {"outward", "inward", "open"};
 
@@ -45,9 +53,9 @@ static cJSON *make_box(const cJSON *bounds)
 
 static cJSON *make_part(const cJSON *part)
 {
-    static const char *const keys[] = {"name",         "id",          "hidden",       "triangles", "area",
-                                       "volume",       "volumeError", "closed",       "shells",    "openEdges",
-                                       "flippedEdges", "leastWall",   "centerOfMass", "color",     "pixels"};
+    static const char *const keys[] = {"name",         "id",     "hidden", "triangles", "area",         "volume",
+                                       "volumeError",  "closed", "shells", "openEdges", "flippedEdges", "leastWall",
+                                       "centerOfMass", "color",  "pixels", "features"};
     cJSON *made = cJSON_CreateObject();
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         copy(made, part, keys[i]);
@@ -252,6 +260,49 @@ static void describe_open(struct mcp_text *text, const cJSON *part)
     }
 }
 
+/* Writes a group of holes or bosses: "4 x diameter 3.2, through, 6 deep, along (0, 0, -1), at (1, 2, 6), ...". */
+static void describe_group(struct mcp_text *text, const cJSON *group)
+{
+    const cJSON *through = mcp_get(group, "through"), *axis = mcp_get(group, "axis"), *place, *step;
+    int places = 0;
+    mcp_text_print(text, "%.0f x diameter %.6g", mcp_number_of(group, "count"), mcp_number_of(group, "diameter"));
+    if (through && !cJSON_IsNull(through)) mcp_text_put(text, cJSON_IsTrue(through) ? ", through" : ", blind");
+    if (mcp_get(group, "depth"))
+        mcp_text_print(text, ", %.6g deep", mcp_number_of(group, "depth"));
+    else
+        mcp_text_print(text, ", %.6g high", mcp_number_of(group, "height"));
+    cJSON_ArrayForEach(step, mcp_get(group, "steps")) mcp_text_print(
+        text, ", step of diameter %.6g, %.6g deep", mcp_number_of(step, "diameter"), mcp_number_of(step, "depth"));
+    mcp_text_print(text, ", along (%.4g, %.4g, %.4g)", mcp_number_at(axis, 0), mcp_number_at(axis, 1),
+                   mcp_number_at(axis, 2));
+    cJSON_ArrayForEach(place, mcp_get(group, "at"))
+    {
+        if (places < PLACES_DESCRIBED)
+            mcp_text_print(text, "%s(%.6g, %.6g, %.6g)", places == 0 ? ", at " : ", ", mcp_number_at(place, 0),
+                           mcp_number_at(place, 1), mcp_number_at(place, 2));
+        places++;
+    }
+    if (places > PLACES_DESCRIBED) mcp_text_print(text, " and %d more places", places - PLACES_DESCRIBED);
+}
+
+/* Writes the holes and bosses of a part. */
+static void describe_features(struct mcp_text *text, const cJSON *features)
+{
+    static const char *const lists[] = {"holes", "bosses"};
+    const cJSON *group;
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
+        int groups = 0;
+        cJSON_ArrayForEach(group, mcp_get(features, lists[i]))
+        {
+            if (groups++ >= GROUPS_DESCRIBED) continue;
+            mcp_text_print(text, "%s%s%s", groups == 1 ? "\n  " : "; ", groups == 1 ? lists[i] : "",
+                           groups == 1 ? ": " : "");
+            describe_group(text, group);
+        }
+        if (groups > GROUPS_DESCRIBED) mcp_text_print(text, "; %d more groups", groups - GROUPS_DESCRIBED);
+    }
+}
+
 /* Returns true if parts differ in colour. */
 static bool have_colors(const cJSON *parts)
 {
@@ -278,6 +329,7 @@ static void describe_part(struct mcp_text *text, const cJSON *part, const char *
     }
     describe_shells(text, mcp_get(part, "shells"));
     if (has_color && mcp_get(part, "color")) mcp_text_print(text, ", color %s", mcp_get(part, "color")->valuestring);
+    describe_features(text, mcp_get(part, "features"));
 }
 
 void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
@@ -308,6 +360,7 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
                        mcp_number_at(origin, 0), mcp_number_at(origin, 1), mcp_number_at(origin, 2));
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");
     const bool has_colors = have_colors(parts);
+    if (count == 1) describe_features(text, mcp_get(cJSON_GetArrayItem(parts, 0), "features"));
     cJSON_ArrayForEach(part, parts)
     {
         if (count > 1 && described++ < PARTS_DESCRIBED) describe_part(text, part, unit, has_colors);

@@ -33,14 +33,15 @@ const char mcp_instructions[] =
     "\"If shells overlap: what is inside counts once, and volume is measured to within about "                         \
     "this.\"},\"area\":" MAYBE_NUMBER                                                                                  \
     ",\"closed\":{\"type\":[\"boolean\",\"null\"],\"description\":\"Every edge is used equally often in both "         \
-    "directions. null: not known, of more than 1000 parts; volume, area and shells are null, too.\"},"                 \
+    "directions. null: over 1000 parts; so are volume, area, shells.\"},"                                              \
     "\"shells\":" MAYBE_SHELLS                                                                                         \
     ",\"parts\":{\"type\":\"array\",\"items\":{\"type\":\"object\",\"required\":[\"name\",\"id\",\"box\",\"closed\"]," \
     "\"properties\":{\"name\":" TEXT ",\"id\":{\"type\":\"integer\"},\"hidden\":{\"type\":\"boolean\"},\"box\":" BOX   \
     ",\"triangles\":{\"type\":\"integer\"},\"area\":" NUMBER ",\"volume\":" MAYBE_NUMBER ",\"volumeError\":" NUMBER    \
     ",\"closed\":{\"type\":\"boolean\"},\"openEdges\":" EDGES ",\"flippedEdges\":" EDGES ",\"shells\":" SHELLS         \
     ",\"leastWall\":" MAYBE_NUMBER ",\"centerOfMass\":" MAYBE_VECTOR ",\"color\":" TEXT                                \
-    ",\"pixels\":{\"type\":\"integer\"}}}},\"partsOmitted\":{\"type\":\"integer\"},"                                   \
+    ",\"pixels\":{\"type\":\"integer\"},\"features\":{\"type\":\"object\"}}}},\"partsOmitted\":{\"type\":\"integer\"}" \
+    ","                                                                                                                \
     "\"partsHidden\":{\"type\":\"integer\",\"description\":\"Parts that hide or isolate hides; box and sums are of "   \
     "the others.\"},"                                                                                                  \
     "\"explode\":{\"type\":\"number\",\"description\":\"Parts are measured where moved.\"},"                           \
@@ -93,7 +94,7 @@ static const struct tool TOOLS[MCP_TOOLS] = {
                     "", render_schema},
     [MCP_FACTS] = {"facts", "Measure a 3D model",
                    "Measures a model or a scene without drawing: box, volume, area, whether it is closed, its shells, "
-                   "and the same of each part.",
+                   "and the same of each part, with its holes, bosses, fillets, planes and symmetry.",
                    "", facts_schema},
     [MCP_PICK] = {"pick", "Look up a pixel",
                   "Lists the surfaces at a pixel of a picture, the nearest first: part, face, depth and point of each. "

@@ -154,10 +154,10 @@ static void write_scenes(void)
          "\"axis\":"
          "[0,1,1],\"degrees\":90}},\"m\":{\"times\":[0.5,1],\"translation\":[[0,0,0],[1,0,0]],\"rotation\":[[0,0,0,1],"
          "[0,0,1,1]],\"scale\":[[1,1,1],[2,1,1]],\"interpolation\":\"step\",\"rotate\":{\"axis\":\"x\"}}}}}"},
-        {"masks",
-         "{" WINDOW ",\"visibility\":true," TETRAHEDRA "\"materials\":[{\"name\":\"m\",\"alphaMode\":\"MASK\"}],"
-         "\"outputs\":[{\"channel\":\"info\"},{\"channel\":\"masks\"},{\"channel\":\"masks\",\"encoding\":"
-         "\"json\"}]}"},
+        {"masks", "{" WINDOW ",\"visibility\":true,\"features\":true," TETRAHEDRA
+                  "\"materials\":[{\"name\":\"m\",\"alphaMode\":\"MASK\"}],"
+                  "\"outputs\":[{\"channel\":\"info\"},{\"channel\":\"masks\"},{\"channel\":\"masks\",\"encoding\":"
+                  "\"json\"}]}"},
         {"trace", "{" WINDOW "," TRIANGLE ",\"algorithm\":\"trapezoid\",\"outputs\":[{\"channel\":\"trace\"}]}"},
         {"trace-painter", "{" WINDOW "," TETRAHEDRA
                           "\"algorithm\":\"painter\",\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"trace\"}]}"},

@@ -17,7 +17,7 @@ BEGIN {
     floors = split("base/simd, base | core.h render_request.h version.h format_rows.h parameter_rows.h parameter_kinds.h | scene, scene/parts, scene/camera |" \
         "input/text, input/formats, input/zip, input/files, input/json, input/images input/codecs, input/model," \
         "input/gltf input/obj input/ply input/points input/stl input/threemf, input/scene, input/mesh, input/view, input/root, input/query;" \
-        "geometry | mesh, mesh/facts | measure | sections | raster, raster/textbook | shade/lights, shade/models, shade/eye, shade, shade/channels |" \
+        "geometry | mesh, mesh/facts, mesh/features | measure | sections | raster, raster/textbook | shade/lights, shade/models, shade/eye, shade, shade/channels |" \
         "lines; effects; overlay | render/layers, render | output/bytes, output/images output/json, output | cost | request | views; schema | api", storeys, "|")
     for (i = 1; i <= floors; i++) {
         n = split(storeys[i], folders, ";")

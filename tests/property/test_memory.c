@@ -28,7 +28,8 @@ static const struct sample samples[] = {
      " \"lines\": [[0,2],[1,3]]}], \"materials\": [{\"name\": \"clay\", \"outline\": \"#000000\"}],"
      " \"nodes\": [{\"mesh\": \"quads\", \"children\": [1]}, {\"mesh\": 0, \"translation\": [0,0,1]}]}"},
     {"masks of instances", ZR_FORMAT_JSON,
-     "{\"window\": {\"width\": 90, \"height\": 70}, \"visibility\": true, \"outputs\": [{\"channel\": \"info\"},"
+     "{\"window\": {\"width\": 90, \"height\": 70}, \"visibility\": true, \"features\": true,"
+     " \"outputs\": [{\"channel\": \"info\"},"
      " {\"channel\": \"masks\"}, {\"channel\": \"masks\", \"encoding\": \"json\"}], \"meshes\": [{\"name\": \"a\","
      " \"positions\": [[0,0,0],[1,0,0],[0,1,0]], \"faces\": [[0,1,2]], \"material\": \"m\"}], \"materials\":"
      " [{\"name\": \"m\", \"alphaMode\": \"MASK\"}], \"nodes\": [{\"mesh\": \"a\"}, {\"mesh\": 0,"

@@ -232,6 +232,7 @@ enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error)
     if (!has_view) return build(query, error);
     if (zr_scene_gives(&query->given, ZR_SCENE_COLOR_BAR)) scene->color_bar.is_on = others->color_bar.is_on;
     if (zr_scene_gives(&query->given, ZR_SCENE_RENDER)) scene->is_undrawn = others->is_undrawn;
+    if (zr_scene_gives(&query->given, ZR_SCENE_FEATURES)) scene->has_features = others->has_features;
     if (zr_scene_gives(&query->given, ZR_SCENE_VISIBILITY))
         scene->views[0].has_visibility = others->views[0].has_visibility;
     if (!zr_scene_gives(&query->given, ZR_SCENE_OUTPUTS)) return ZR_OK;

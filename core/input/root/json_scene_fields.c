@@ -29,6 +29,12 @@ static bool read_visibility(struct zr_json *json, const struct zr_json_path *pat
     return zr_json_bool(json, path, &root->scene->views[0].has_visibility);
 }
 
+static bool read_features(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    struct zr_parsed_scene *root = out;
+    return zr_json_bool(json, path, &root->scene->has_features);
+}
+
 #define AT(member)      offsetof(struct zr_parsed_scene, member)
 #define PICTURE(member) offsetof(struct zr_parsed_picture, given.member)
 #define IN_PICTURE      .through = AT(picture)
@@ -129,6 +135,9 @@ const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_VISIBILITY] = {"visibility", read_visibility, 0, .otherwise = "false",
                              .text = "pixels of each instance, drawn alone and visible, in the list visibility of info",
                              .schema = ZR_SCHEMA({"type" : "boolean"})},
+    [ZR_SCENE_FEATURES] = {"features", read_features, 0, .otherwise = "false",
+                           .text = "holes, bosses, fillets and planes of each part, in the object features of info",
+                           .schema = ZR_SCHEMA({"type" : "boolean"})},
     [ZR_SCENE_HIDE] = {"hide", zr_read_hide, 0, .otherwise = "[]",
                        .text = "parts that are not drawn: a name, a pattern with * and ?, an id, or a list of these",
                        .schema = ZR_SCHEMA_OF("parts")},
@@ -199,6 +208,13 @@ const struct zr_json_object zr_json_object_scene = {ZR_JSON_FIELDS("scene", zr_s
                         "outputs": {"contains": {"properties": {"channel": {"enum": ["info", "masks"]}}}},
                         "base": false, "sections": false, "algorithm": {"not": {"const": "painter"}}
                     }
+                }
+            },
+            "features": {
+                "if": {"properties": {"features": {"const": true}, "render": {"const": true}}},
+                "then": {
+                    "not": {"properties": {"outputs": false}},
+                    "properties": {"outputs": {"contains": {"properties": {"channel": {"const": "info"}}}}}
                 }
             },
             "algorithm": {

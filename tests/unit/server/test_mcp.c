@@ -44,8 +44,9 @@ static const char *scene_of(const char *tool, const char *arguments)
 
 TEST(arguments_make_a_scene)
 {
-    assert_string_equal(scene_of("facts", "{\"model\":{\"text\":\"v 0 0 0\"}}"),
-                        "{\"outputs\":[{\"channel\":\"info\"}],\"meshes\":[{\"asset\":\"model\"}],\"render\":false}");
+    assert_string_equal(
+        scene_of("facts", "{\"model\":{\"text\":\"v 0 0 0\"}}"),
+        "{\"outputs\":[{\"channel\":\"info\"}],\"meshes\":[{\"asset\":\"model\"}],\"render\":false,\"features\":true}");
     assert_string_equal(scene_of("render", "{\"model\":{\"text\":\"v\"},\"views\":[\"top\"],\"up\":\"z\",\"parts\":{"
                                            "\"hide\":[\"a\",3]},\"width\":99}"),
                         "{\"outputs\":[{\"channel\":\"color\",\"encoding\":\"png\"},{\"channel\":\"info\"}],\"meshes\":"
@@ -72,7 +73,8 @@ TEST(a_scene_names_the_model_of_any_name)
         scene_of("facts",
                  "{\"model\":{\"asset\":\"sha256:ab\"},\"scene\":{\"meshes\":[7,{\"name\":\"model\","
                  "\"asset\": \"model\"},{\"asset\":\"b\"},{\"asset\":\"model\",\"x\":{\"asset\":\"model\"}}]}}"),
-        "{\"outputs\":[{\"channel\":\"info\"}],\"render\":false,\"meshes\":[7,{\"name\":\"model\",\"asset\": "
+        "{\"outputs\":[{\"channel\":\"info\"}],\"render\":false,\"features\":true,\"meshes\":[7,{\"name\":\"model\","
+        "\"asset\": "
         "\"sha256:ab\"},{\"asset\":\"b\"},{\"asset\":\"sha256:ab\",\"x\":{\"asset\":\"model\"}}]}");
 }
 

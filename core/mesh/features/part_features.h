@@ -1,0 +1,46 @@
+/* part_features.h - mesh: features of the parts of a scene (scene/parts/part_list.h): holes, planes and others.
+ *
+ * Space:  world space, in double precision. A part that is closed and inside out is turned first.
+ * Work:   counted in steps (mesh/features/surface.h). Each part has ZR_FEATURE_STEPS for each of its triangles, and an
+ *         equal share of ZR_FEATURE_STEPS_MIN. A part that takes more, or more memory than is left, has no features.
+ * Exact:  holes are found by one thread and the rest by another, in a fixed order, without libm but for sqrt.
+ */
+#ifndef ZR_PART_FEATURES_H
+#define ZR_PART_FEATURES_H
+
+#include "base/run.h"
+#include "core.h"
+#include "mesh/facts/part_facts.h"
+#include "mesh/features/borders.h"
+#include "mesh/features/bounding_cylinder.h"
+#include "mesh/features/holes.h"
+#include "mesh/features/planes.h"
+#include "mesh/features/symmetry.h"
+
+/* Steps for all parts together, and for each of their triangles: for holes, and as many for the rest. */
+enum { ZR_FEATURE_STEPS_MIN = 1 << 22, ZR_FEATURE_STEPS = 128 };
+
+/* Bytes of scratch: per triangle, per position, and beside. */
+enum { ZR_FEATURE_BYTES = 320, ZR_FEATURE_BYTES_OF_POSITION = 64, ZR_FEATURE_BYTES_LEAST = 8 << 20 };
+
+/* Bytes for what is found beside the holes: per triangle, and beside. */
+enum { ZR_FEATURE_BYTES_OF_REST = 64, ZR_FEATURE_BYTES_OF_REST_LEAST = 1 << 20 };
+
+struct zr_part_features {
+    double size;     /* diagonal of the part's box */
+    bool is_omitted; /* too much work, or no memory for it: no features */
+    struct zr_holes holes;
+    struct zr_planes planes;
+    struct zr_borders borders;
+    struct zr_bounding_cylinder cylinder;
+    bool has_symmetry; /* false: too much work */
+    struct zr_symmetry symmetry;
+};
+
+/* Fills in features[0 .. parts->count - 1], whose lists are in run->arena. `facts` has those of the parts. Fails with
+ * ZR_NO_MEMORY or ZR_CANCELLED. */
+enum zr_status zr_part_features_find(const struct zr_run *run, const struct zr_scene *scene,
+                                     const struct zr_part_list *parts, const struct zr_part_facts *facts,
+                                     struct zr_part_features *features);
+
+#endif
