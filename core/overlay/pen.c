@@ -59,7 +59,7 @@ static void touch(struct tile *tile, const struct segment *s, double reach)
     const int32_t x_begin = clamped(left, box.width), x_end = clamped(ceil(right), box.width);
     const int32_t y_begin = clamped(top, box.height), y_end = clamped(ceil(bottom), box.height);
     for (int i = 0; i < TILE * TILE && !tile->is_touched; i++)
-        tile->offsets[i].squared = INFINITY;
+        tile->offsets[i].squared = HUGE_VAL;
     tile->is_touched = true;
     for (int32_t y = y_begin; y < y_end; y++)
         for (int32_t x = x_begin; x < x_end; x++) {
