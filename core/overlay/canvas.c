@@ -57,7 +57,7 @@ uint32_t zr_canvas_blend(uint32_t below, uint32_t color, double covered)
     memcpy(over, &color, sizeof over);
     const uint32_t alpha = (uint32_t)(covered * over[3] + 0.5), rest = (255 - alpha) * under[3];
     const uint32_t all = 255 * alpha + rest; /* 255 times the new alpha */
-    if (alpha == 0) return below;
+    if (alpha == 0 || alpha == 255) return alpha == 0 ? below : color;
     for (int c = 0; c < 3; c++)
         under[c] = (uint8_t)((255 * alpha * over[c] + rest * under[c] + all / 2) / all);
     under[3] = (uint8_t)((all + 127) / 255);

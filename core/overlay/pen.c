@@ -41,17 +41,32 @@ static struct offset offset_from(const struct segment *s, double x, double y)
 struct tile {
     struct zr_box box;
     bool is_touched;
-    struct offset offsets[TILE * TILE]; /* by pixel: the least */
+    struct offset offsets[TILE * TILE]; /* by pixel: the least, or an infinite one */
 };
 
-static void touch(struct tile *tile, const struct segment *segment)
+/* Returns a position between pixels of the tile as a pixel's number, 0 to `most`. */
+static int32_t clamped(double at, int32_t most)
 {
-    for (int32_t y = 0, i = 0; y < tile->box.height; y++)
-        for (int32_t x = 0; x < tile->box.width; x++, i++) {
-            const struct offset offset = offset_from(segment, tile->box.x + x + 0.5, tile->box.y + y + 0.5);
-            if (!tile->is_touched || offset.squared < tile->offsets[i].squared) tile->offsets[i] = offset;
-        }
+    return at <= 0 ? 0 : at >= most ? most : (int32_t)at;
+}
+
+/* Measures the pixels within `reach` of the bounds of a segment. */
+static void touch(struct tile *tile, const struct segment *s, double reach)
+{
+    const struct zr_box box = tile->box;
+    const double left = (s->x < 0 ? s->x : 0) + s->from.x - reach - box.x, right = left + fabs(s->x) + 2 * reach;
+    const double top = (s->y < 0 ? s->y : 0) + s->from.y - reach - box.y, bottom = top + fabs(s->y) + 2 * reach;
+    const int32_t x_begin = clamped(left, box.width), x_end = clamped(ceil(right), box.width);
+    const int32_t y_begin = clamped(top, box.height), y_end = clamped(ceil(bottom), box.height);
+    for (int i = 0; i < TILE * TILE && !tile->is_touched; i++)
+        tile->offsets[i].squared = HUGE_VAL;
     tile->is_touched = true;
+    for (int32_t y = y_begin; y < y_end; y++)
+        for (int32_t x = x_begin; x < x_end; x++) {
+            const struct offset offset = offset_from(s, box.x + x + 0.5, box.y + y + 0.5);
+            struct offset *least = &tile->offsets[y * TILE + x];
+            if (offset.squared < least->squared) *least = offset;
+        }
 }
 
 /* Returns the larger half diagonal of boxes of that side. */
@@ -70,7 +85,7 @@ static bool comes_near(const struct zr_path *path, double reach, struct zr_box b
             const struct segment segment = segment_of(path, begin, i);
             if (offset_from(&segment, x, y).squared >= far * far) continue;
             if (!tile) return true;
-            touch(tile, &segment);
+            touch(tile, &segment, reach);
         }
     return tile && tile->is_touched;
 }
@@ -97,11 +112,12 @@ static double coverage(struct offset offset, double width)
 static void paint(const struct tile *tile, const struct zr_canvas *canvas, double width, uint32_t color)
 {
     const double reach = width / 2 + PIXEL_DIAGONAL_HALF;
-    for (int32_t y = 0, i = 0; y < tile->box.height; y++) {
+    for (int32_t y = 0; y < tile->box.height; y++) {
+        const struct offset *offsets = &tile->offsets[y * TILE];
         uint32_t *row = canvas->pixels + (size_t)(tile->box.y + y) * (size_t)canvas->width + tile->box.x;
-        for (int32_t x = 0; x < tile->box.width; x++, i++)
-            if (tile->offsets[i].squared < reach * reach)
-                row[x] = zr_canvas_blend(row[x], color, coverage(tile->offsets[i], width));
+        for (int32_t x = 0; x < tile->box.width; x++)
+            if (offsets[x].squared < reach * reach)
+                row[x] = zr_canvas_blend(row[x], color, coverage(offsets[x], width));
     }
 }
 

@@ -55,6 +55,21 @@ TEST(lines_are_grouped_by_part_and_class)
                         "<path d=\"M0.00 0.00L20.12 10.00L0.00 0.00\"/>\n</g>\n</g>\n</svg>\n");
 }
 
+TEST(marks_are_above_the_lines)
+{
+    struct zr_marks marks = {.arena = &arena};
+    struct zr_svg_desc desc = usual();
+    const char *without = encode(&desc);
+    desc.marks = &marks;
+    zr_marks_add_text(&marks, "I", (struct zr_type_place){2, 8, 5, 1, 0}, (struct zr_ink){.color = 0xFF000000});
+    const char *with = encode(&desc);
+    const size_t same = strlen(without) - strlen("</svg>\n");
+    assert_memory_equal(with, without, same);
+    assert_string_equal(with + same, "<g class=\"halos\" aria-hidden=\"true\">\n</g>\n<g class=\"marks\">\n"
+                                     "<g role=\"img\" aria-label=\"I\">\n<path d=\"M2.25 8.00L2.25 3.00\" "
+                                     "stroke=\"#000000\" stroke-width=\"1\"/>\n</g>\n</g>\n</svg>\n");
+}
+
 TEST(units_decide_about_size_and_decimals)
 {
     struct zr_svg_desc desc = usual();
