@@ -136,7 +136,7 @@ static enum zr_status align(const struct zr_run *run, struct zr_comparison *c)
     struct zr_surface_tree tree;
     enum zr_status status = zr_surface_tree_make(&inner, &c->a, &tree);
     if (status == ZR_OK) status = zr_align_find(&inner, &tree, &c->b, c->align, &c->alignment);
-    if (status == ZR_OK) zr_align_move(&c->b, &c->alignment.motion);
+    if (status == ZR_OK) zr_align_move(&c->b, &c->alignment.motion, run->cancel);
     zr_arena_close_scratch(&scratch, run->arena);
     return status;
 }
