@@ -16,7 +16,8 @@ enum {
     FINE_ROUNDS = 40,
     CANDIDATES = 73,
     REFINED = 6,
-    ANGLES = 36
+    ANGLES = 36,
+    ITEMS_PER_CANCEL_CHECK = 1 << 13
 };
 
 /* Moments that differ by this share are equal. */
@@ -226,7 +227,8 @@ static void add_angles(struct aligning *m, const struct zr_moments moments[2], d
 /* Adds all turns that the moments allow; `sign` -1: reflections. */
 static void add_principal(struct aligning *m, double sign)
 {
-    const struct zr_moments moments[2] = {zr_moments_of(m->a->solid), zr_moments_of(m->b)};
+    const struct zr_moments moments[2] = {zr_moments_of(m->a->solid, m->run->cancel),
+                                          zr_moments_of(m->b, m->run->cancel)};
     double values[2][3], axes[2][3][3];
     for (int i = 0; i < 2; i++)
         zr_eigen_find((const double(*)[3])moments[i].second, values[i], axes[i]);
@@ -371,11 +373,16 @@ enum zr_status zr_align_find(const struct zr_run *run, const struct zr_surface_t
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ok ? ZR_OK : ZR_NO_MEMORY;
 }
 
-void zr_align_move(struct zr_solid *solid, const struct zr_rigid *motion)
+static bool is_due(const struct zr_cancel *cancel, uint32_t i)
 {
-    for (uint32_t i = 0; i < solid->place_count; i++)
+    return i % ITEMS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel);
+}
+
+void zr_align_move(struct zr_solid *solid, const struct zr_rigid *motion, const struct zr_cancel *cancel)
+{
+    for (uint32_t i = 0; i < solid->place_count && !is_due(cancel, i); i++)
         solid->places[i] = zr_rigid_apply(motion, solid->places[i]);
-    for (uint32_t t = 0; t < solid->count; t++)
+    for (uint32_t t = 0; t < solid->count && !is_due(cancel, t); t++)
         for (int i = 0; i < 3; i++) {
             const struct zr_world_place p = solid->places[solid->corners[t][i]];
             const double at[3] = {p.x, p.y, p.z};

@@ -39,7 +39,7 @@ struct zr_alignment {
 enum zr_status zr_align_find(const struct zr_run *run, const struct zr_surface_tree *a, const struct zr_solid *b,
                              enum zr_align kind, struct zr_alignment *out);
 
-/* Moves a solid. */
-void zr_align_move(struct zr_solid *solid, const struct zr_rigid *motion);
+/* Moves a solid. If cancelled, returns early, and the solid is undefined. */
+void zr_align_move(struct zr_solid *solid, const struct zr_rigid *motion, const struct zr_cancel *cancel);
 
 #endif

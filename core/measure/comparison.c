@@ -3,6 +3,7 @@
 #include "base/arena.h"
 #include "base/cancel.h"
 #include "base/status.h"
+#include "measure/silhouettes.h"
 
 enum { QUICK_RAYS = 128, QUICK_POINTS = 10000 };
 
@@ -136,7 +137,7 @@ static enum zr_status align(const struct zr_run *run, struct zr_comparison *c)
     struct zr_surface_tree tree;
     enum zr_status status = zr_surface_tree_make(&inner, &c->a, &tree);
     if (status == ZR_OK) status = zr_align_find(&inner, &tree, &c->b, c->align, &c->alignment);
-    if (status == ZR_OK) zr_align_move(&c->b, &c->alignment.motion);
+    if (status == ZR_OK) zr_align_move(&c->b, &c->alignment.motion, run->cancel);
     zr_arena_close_scratch(&scratch, run->arena);
     return status;
 }
@@ -150,6 +151,9 @@ static enum zr_status measure(const struct zr_run *run, const struct zr_scene *c
     c->has_volumes = c->a.is_closed && c->b.is_closed && c->a.diagonal > 0.0 && c->b.diagonal > 0.0;
     if (c->has_volumes)
         status = zr_volumes_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_VOLUME_RAYS, &c->volumes);
+    if (status == ZR_OK)
+        status =
+            zr_silhouettes_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_SILHOUETTE_RAYS, c->silhouettes);
     if (status == ZR_OK) status = measure_regions(run, options, c);
     c->tolerance = options->tolerance >= 0.0 ? options->tolerance : ZR_COMPARISON_SAME * c->a.diagonal;
     if (status == ZR_OK) status = measure_parts(run, scenes, lists, c);

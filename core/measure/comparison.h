@@ -36,6 +36,7 @@ struct zr_comparison {
     struct zr_solid a, b;
     enum zr_align align;
     struct zr_alignment alignment; /* b is moved by it */
+    double silhouettes[3];         /* IoU of the silhouettes along the axes of the file (silhouettes.h) */
     bool has_volumes;              /* both are closed */
     struct zr_volumes volumes;
     struct zr_deviation a_to_b, b_to_a;

@@ -36,6 +36,8 @@ struct measuring {
     double reached;       /* largest of the points, before corners */
     const uint32_t *uses; /* corners: a triangle of each place; UINT32_MAX: none */
     atomic_bool is_stopped;
+    _Atomic uint64_t steps; /* of all tasks so far */
+    uint64_t steps_most;
 };
 
 /* ---- distances ---- */
@@ -54,6 +56,14 @@ static bool goes_on(struct working *w)
         atomic_store_explicit(&m->is_stopped, true, memory_order_relaxed);
     if (w->queries++ % QUERIES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(m->cancel)) return false;
     return !atomic_load_explicit(&m->is_stopped, memory_order_relaxed);
+}
+
+/* Adds the steps of a task that has ended. */
+static void add_steps(struct working *w)
+{
+    struct measuring *m = w->m;
+    if (atomic_fetch_add_explicit(&m->steps, w->steps, memory_order_relaxed) + w->steps > m->steps_most)
+        atomic_store_explicit(&m->is_stopped, true, memory_order_relaxed);
 }
 
 /* Returns true if a point lies on a wall inside its own solid. */
@@ -111,6 +121,7 @@ static void run_points(void *context, size_t begin, size_t end)
         const size_t first = task * POINTS_PER_TASK;
         for (size_t i = first; i < m->count && i < first + POINTS_PER_TASK && goes_on(&w); i++)
             add_point(&w, (uint32_t)i, &m->sums[task]);
+        add_steps(&w);
     }
 }
 
@@ -136,6 +147,7 @@ static void run_corners(void *context, size_t begin, size_t end)
         m->sums[task] = (struct sums){.max = m->reached};
         for (size_t i = first; i < count && i < first + POINTS_PER_TASK && goes_on(&w); i++)
             add_corner(&w, (uint32_t)i, &m->sums[task]);
+        add_steps(&w);
     }
 }
 
@@ -208,6 +220,8 @@ static enum zr_status measure(const struct zr_run *run, struct zr_arena *scratch
     const struct zr_solid *solid = m->from->tree->solid;
     const uint32_t most = points > solid->place_count ? points : solid->place_count;
     struct sums all = {.points = 0};
+    m->steps_most =
+        ZR_DEVIATION_STEPS_LEAST + (uint64_t)ZR_DEVIATION_STEPS_MEAN * ((uint64_t)points + solid->place_count);
     m->points = zr_arena_alloc(scratch, points, sizeof *m->points);
     m->distances = zr_arena_alloc(scratch, points, sizeof *m->distances);
     m->spare = zr_arena_alloc(scratch, points, sizeof *m->spare);

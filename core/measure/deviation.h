@@ -6,8 +6,8 @@
  * Sign:    positive outside the other solid, if that is closed. So a place that was added has a positive distance.
  * Shells:  if those of a solid overlap, points on walls that lie inside it are left out. Distances to such walls of the
  *          other solid count.
- * Work:    counted in steps. Beyond ZR_DEVIATION_STEPS per point of a task, there is no result: triangles that all
- *          overlap cannot be searched.
+ * Work:    counted in steps. Beyond ZR_DEVIATION_STEPS per point of a task, or beyond ZR_DEVIATION_STEPS_MEAN per point
+ *          of all and ZR_DEVIATION_STEPS_LEAST, there is no result: triangles that all overlap cannot be searched.
  * Exact:   tasks of points have separate sums, which are added in order: the same for all numbers of threads.
  */
 #ifndef ZR_DEVIATION_H
@@ -16,6 +16,7 @@
 #include "measure/surface_tree.h"
 
 enum { ZR_DEVIATION_POINTS = 50000, ZR_DEVIATION_STEPS = 1 << 12 };
+enum { ZR_DEVIATION_STEPS_LEAST = 1 << 29, ZR_DEVIATION_STEPS_MEAN = 1 << 10 };
 
 /* The cosine of 25 degrees: normals that differ less are alike. */
 #define ZR_DEVIATION_ALIKE 0.90630778703664996

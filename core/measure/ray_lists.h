@@ -22,7 +22,8 @@ struct zr_ray_lists {
     const uint64_t *crossings; /* ascending on each ray */
 };
 
-/* Makes the lists in the arena: at most `rays` along the longer side, in a direction from 0 to 2. The diagonals are not
+/* Makes the lists in the arena: at most `rays` along the longer side, in a direction of
+ * zr_ray_grid_turn. The diagonals are not
  * both 0. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_ray_lists_make(const struct zr_run *run, const struct zr_solid *a, const struct zr_solid *b,
                                  int direction, uint32_t rays, struct zr_ray_lists *out);

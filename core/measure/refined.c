@@ -7,7 +7,7 @@
 #include "base/cancel.h"
 #include "base/team.h"
 
-enum { ROUNDS = 16, TRIANGLES_PER_TASK = 64, STEPS_PER_TRIANGLE = 1 << 15 };
+enum { ROUNDS = 16, TRIANGLES_PER_TASK = 64, STEPS_PER_TRIANGLE = 1 << 15, TRIANGLES_PER_CANCEL_CHECK = 1 << 13 };
 
 /* A triangle and the middles of its edges; edge k leads from corner k to the next one. */
 struct cut {
@@ -24,7 +24,13 @@ struct refining {
     struct cut *cuts; /* NULL: distances of the corners are found */
     uint32_t count;
     atomic_bool is_stopped;
+    _Atomic uint64_t steps; /* of all tasks so far */
 };
+
+static bool is_due(const struct refining *r, uint32_t i)
+{
+    return i % TRIANGLES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(r->run->cancel);
+}
 
 static enum zr_surface_class class_of(const struct refining *r, double distance)
 {
@@ -74,6 +80,8 @@ static void run_tasks(void *context, size_t begin, size_t end)
             if (steps > (uint64_t)STEPS_PER_TRIANGLE * TRIANGLES_PER_TASK)
                 atomic_store_explicit(&r->is_stopped, true, memory_order_relaxed);
         }
+        if (atomic_fetch_add_explicit(&r->steps, steps, memory_order_relaxed) + steps > ZR_REFINED_STEPS)
+            atomic_store_explicit(&r->is_stopped, true, memory_order_relaxed);
     }
 }
 
@@ -125,13 +133,13 @@ static bool refine(struct refining *r, struct zr_arena *scratch, uint64_t most)
     if (!r->cuts) return false;
     run_all(r);
     if (atomic_load(&r->is_stopped) || zr_is_cancelled(r->run->cancel)) return false;
-    for (uint32_t i = 0; i < r->count; i++)
+    for (uint32_t i = 0; i < r->count && !is_due(r, i); i++)
         for (int k = 0; k < 3; k++)
             count += r->cuts[i].is_halved[k];
     if (count == r->count || count > most) return false;
     struct zr_refined_triangle *all = zr_arena_alloc(scratch, count, sizeof *all), *out = all;
     if (!all) return false;
-    for (uint32_t i = 0; i < r->count; i++)
+    for (uint32_t i = 0; i < r->count && !is_due(r, i); i++)
         put_pieces(&out, &r->triangles[i], &r->cuts[i]);
     r->triangles = all;
     r->count = (uint32_t)count;
@@ -140,7 +148,7 @@ static bool refine(struct refining *r, struct zr_arena *scratch, uint64_t most)
 
 static void classify(struct refining *r)
 {
-    for (uint32_t i = 0; i < r->count; i++) {
+    for (uint32_t i = 0; i < r->count && !is_due(r, i); i++) {
         struct zr_refined_triangle *t = &r->triangles[i];
         const enum zr_surface_class a = class_of(r, t->distance[0]), b = class_of(r, t->distance[1]),
                                     c = class_of(r, t->distance[2]);
@@ -154,7 +162,7 @@ static enum zr_status make(struct refining *r, const struct zr_solid *solid, str
     r->count = solid->count;
     r->triangles = zr_arena_alloc(scratch, solid->count, sizeof *r->triangles);
     if (!r->triangles) return ZR_NO_MEMORY;
-    for (uint32_t t = 0; t < solid->count; t++) {
+    for (uint32_t t = 0; t < solid->count && !is_due(r, t); t++) {
         r->triangles[t].is_whole = false;
         zr_solid_places(solid, t, r->triangles[t].at);
     }

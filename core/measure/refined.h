@@ -6,6 +6,7 @@
  *         most of its corners. Distances from an open solid have no sign: it has no inside.
  * Work:   each round halves edges; a round that would give more than ZR_REFINED_MOST triangles beyond those of the solid
  *         is not begun.
+ *         Beyond ZR_REFINED_STEPS of searching, there is no result.
  * Exact:  the same for all numbers of threads.
  */
 #ifndef ZR_REFINED_H
@@ -13,7 +14,7 @@
 
 #include "measure/surface_tree.h"
 
-enum { ZR_REFINED_MOST = 1 << 19 };
+enum { ZR_REFINED_MOST = 1 << 19, ZR_REFINED_STEPS = 1 << 30 };
 
 enum zr_surface_class { ZR_SURFACE_NEAR, ZR_SURFACE_OUTSIDE, ZR_SURFACE_INSIDE, ZR_SURFACE_CLASSES };
 

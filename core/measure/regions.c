@@ -6,11 +6,12 @@
 #include "base/cancel.h"
 #include "measure/ray_lists.h"
 
-enum { ITEMS_PER_CANCEL_CHECK = 1 << 12, CELLS_LEAST = 8 };
+enum { ITEMS_PER_CANCEL_CHECK = 1 << 12, CELLS_LEAST = 8, SHIFT_CELLS = 8 };
 
 /* An interval inside one solid alone. */
 struct piece {
     double from, to, thickness;
+    double before, behind; /* how far the faces at its ends may be shifted on a neighbouring ray */
     uint32_t ray;
     bool is_b;
 };
@@ -32,12 +33,27 @@ static bool is_due(const struct finding *f, size_t i)
 
 /* ---- pieces ---- */
 
+/* Returns how far a face moves along the rays from one to the next, by the cosine between them: a thin region along a
+ * face that rays graze has no overlap between neighbours. */
+static double shift_of(const struct zr_ray_grid *grid, double cosine)
+{
+    const double most = (double)SHIFT_CELLS, sine = sqrt(zr_most_of(0.0, 1.0 - cosine * cosine));
+    return zr_most_of(grid->width, grid->height) * (sine < most * cosine ? sine / cosine : most);
+}
+
 /* Adds an interval that has ended, unless it is thin. `out` is NULL to count. Returns the number added. */
 static uint32_t put(const struct finding *f, const struct zr_ray_interval *at, uint32_t ray, struct piece *out)
 {
     const double thickness = zr_ray_thickness(at);
     if (thickness <= f->thin) return 0;
-    if (out) *out = (struct piece){at->from, at->to, thickness, ray, at->a == 0};
+    if (out)
+        *out = (struct piece){at->from,
+                              at->to,
+                              thickness,
+                              shift_of(&f->lists->grid, at->enters),
+                              shift_of(&f->lists->grid, at->leaves),
+                              ray,
+                              at->a == 0};
     return 1;
 }
 
@@ -99,7 +115,8 @@ static void join(struct finding *f, uint32_t ray, uint32_t other)
     uint32_t i = f->begins[ray], k = f->begins[other];
     while (i < f->begins[ray + 1] && k < f->begins[other + 1]) {
         const struct piece *p = &f->pieces[i], *q = &f->pieces[k];
-        if (p->is_b == q->is_b && p->from < q->to && q->from < p->to) {
+        if (p->is_b == q->is_b && p->from - zr_most_of(p->before, q->behind) < q->to &&
+            q->from - zr_most_of(q->before, p->behind) < p->to) {
             const uint32_t a = root_of(f->parents, i), b = root_of(f->parents, k);
             f->parents[a < b ? b : a] = a < b ? a : b;
         }

@@ -1,7 +1,8 @@
 /* regions.h - measure: connected regions that only one of two closed solids has.
  *
  * Rays:    a grid along one oblique direction. Intervals inside one solid alone are joined with those of the four
- *          neighbours that they overlap.
+ *          neighbours that they overlap, or would overlap if the faces at their ends were continued. So a thin region
+ *          along faces that rays graze is one.
  * Thin:    intervals whose thickness, across the flatter of the faces at their ends, is at most `thin` are left out.
  *          Faces that coincide but are cut into other triangles give such slivers, which are long where rays graze them.
  * Small:   regions of less than the volume of eight cells are left out.

@@ -2,7 +2,10 @@
 
 #include <string.h>
 
+#include "base/cancel.h"
 #include "measure/solid.h"
+
+enum { TRIANGLES_PER_CANCEL_CHECK = 1 << 12 };
 
 /* ---- motions ---- */
 
@@ -71,7 +74,7 @@ static void add(const struct zr_world_place p[3], struct zr_world_place apex, bo
     }
 }
 
-struct zr_moments zr_moments_of(const struct zr_solid *solid)
+struct zr_moments zr_moments_of(const struct zr_solid *solid, const struct zr_cancel *cancel)
 {
     struct zr_moments out = {.center = {0, 0, 0}};
     double weight = 0.0, first[3] = {0, 0, 0};
@@ -79,6 +82,7 @@ struct zr_moments zr_moments_of(const struct zr_solid *solid)
     const struct zr_world_place apex = solid->places[solid->corners[0][0]];
     for (uint32_t t = 0; t < solid->count; t++) {
         struct zr_world_place p[3];
+        if (t % TRIANGLES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) break;
         zr_solid_places(solid, t, p);
         add(p, apex, solid->is_closed, &weight, first, out.second);
     }

@@ -16,10 +16,11 @@ struct zr_moments {
     double second[3][3];
 };
 
+struct zr_cancel;
 struct zr_solid;
 
-/* Returns the moments of the volume of a closed solid, else of the surface. */
-struct zr_moments zr_moments_of(const struct zr_solid *solid);
+/* Returns the moments of the volume of a closed solid, else of the surface. If cancelled, returns any early. */
+struct zr_moments zr_moments_of(const struct zr_solid *solid, const struct zr_cancel *cancel);
 
 /* Finds the eigenvalues of a symmetric matrix, ascending, and unit eigenvectors, the columns of a rotation. By rotations
  * of Jacobi. */

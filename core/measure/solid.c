@@ -96,7 +96,7 @@ static void add_instance(struct joining *j, const struct zr_instance *instance, 
         if (zr_world_place_of(&instance->object_to_world, mesh->positions[i], &at))
             places[i] = place_in_file(j->scene, at);
         else
-            places[i].x = NAN;
+            places[i].x = (double)NAN;
     }
     for (uint32_t f = 0; f < mesh->face_count && !is_due(j->run, f); f++)
         if (!zr_material_of_face(j->scene, mesh, f)->is_hidden)

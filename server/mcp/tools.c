@@ -77,7 +77,8 @@ static const char pick_schema[] =
 static const char compare_schema[] =
     "{\"type\":\"object\",\"required\":[\"summary\",\"same\",\"tolerance\",\"a\",\"b\",\"warnings\"],\"properties\":{"
     "\"summary\":" TEXT ",\"same\":{\"type\":\"boolean\"},\"tolerance\":" NUMBER ",\"a\":" OBJECT ",\"b\":" OBJECT
-    ",\"alignment\":" OBJECT ",\"volume\":" OBJECT ",\"deviation\":" OBJECT
+    ",\"silhouettes\":{\"type\":\"array\",\"items\":" OBJECT "},\"alignment\":" OBJECT ",\"volume\":" OBJECT
+    ",\"deviation\":" OBJECT
     ",\"regions\":{\"type\":\"array\",\"description\":\"Connected regions that only one model has, the largest "
     "first.\",\"items\":" OBJECT "},\"regionsOmitted\":{\"type\":\"integer\"},\"parts\":" OBJECT
     ",\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}}}";

@@ -113,6 +113,15 @@ TEST_AROUND(a_moved_cube_has_the_numbers_of_the_formulas, open_renderer, close_r
     assert_number(answer, "a.solids", 1, 0);
     assert_number(answer, "a.handles", 0, 0);
     assert_number(answer, "deviation.hausdorff", 0.125, 1e-12);
+    static const struct {
+        const char *view;
+        double iou;
+    } views[3] = {{"front", 7.0 / 9}, {"right", 1}, {"top", 7.0 / 9}};
+    for (int i = 0; i < 3; i++) {
+        const cJSON *view = cJSON_GetArrayItem(cJSON_GetObjectItem(answer, "silhouettes"), i);
+        assert_string_equal(cJSON_GetObjectItem(view, "view")->valuestring, views[i].view);
+        assert_true(fabs(cJSON_GetObjectItem(view, "iou")->valuedouble - views[i].iou) < 1e-3);
+    }
     assert_number(answer, "deviation.aToB.max", 0.125, 1e-12);
     assert_true(cJSON_IsFalse(cJSON_GetObjectItem(answer, "same")));
     assert_non_null(strstr(cJSON_GetObjectItem(answer, "summary")->valuestring, "IoU 0.77"));

@@ -23,11 +23,26 @@ static double half_along(struct zr_world_place axis, const double half[3])
     return ((fabs(axis.x) * half[0] + fabs(axis.y) * half[1]) + fabs(axis.z) * half[2]) * (1.0 + 1e-9);
 }
 
+/* Turns the rays along an axis of the file, and the grid by 37.3 degrees. */
+static void turn_along(struct zr_ray_grid *grid, int axis)
+{
+    static const double cosine = 0.7954734808548959, sine = 0.605988400265711;
+    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    grid->d = (struct zr_world_place){axis == 0, axis == 1, axis == 2};
+    grid->u =
+        (struct zr_world_place){(next == 0) * cosine + (last == 0) * sine, (next == 1) * cosine + (last == 1) * sine,
+                                (next == 2) * cosine + (last == 2) * sine};
+    grid->v = zr_world_place_cross(grid->d, grid->u);
+}
+
 void zr_ray_grid_turn(struct zr_ray_grid *grid, int direction, const double half[3])
 {
-    grid->d = axes[direction];
-    grid->u = axes[(direction + 1) % 3];
-    grid->v = axes[(direction + 2) % 3];
+    if (direction < ZR_RAY_DIRECTIONS) {
+        grid->d = axes[direction];
+        grid->u = axes[(direction + 1) % 3];
+        grid->v = axes[(direction + 2) % 3];
+    } else
+        turn_along(grid, direction - ZR_RAY_ALONG_X);
     grid->half[0] = half_along(grid->u, half);
     grid->half[1] = half_along(grid->v, half);
     grid->half[2] = half_along(grid->d, half);

@@ -14,6 +14,9 @@
 
 enum { ZR_RAY_DIRECTIONS = 3 };
 
+/* Directions behind the oblique ones: along the axes x, y and z, with the grid turned in its plane. */
+enum { ZR_RAY_ALONG_X = ZR_RAY_DIRECTIONS };
+
 /* Steps of a height along a ray: 2^47 from one end of the box to the other. */
 #define ZR_RAY_HEIGHTS 0x1p47
 
@@ -34,7 +37,7 @@ struct zr_ray_facet {
     double cosine, du, dv, low, high; /* lowest and highest corner, from at[0] */
 };
 
-/* Sets the direction, 0 to 2. `half`: half of the box's sides, not all 0. */
+/* Sets the direction, 0 to 2 or ZR_RAY_ALONG_X to ZR_RAY_ALONG_X + 2. `half`: half of the box's sides, not all 0. */
 void zr_ray_grid_turn(struct zr_ray_grid *grid, int direction, const double half[3]);
 
 /* Sets rows and columns: `rays` along the longer side, and at least an eighth along the other one. */

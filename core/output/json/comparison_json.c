@@ -2,8 +2,10 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "output/json/json_print.h"
+#include "scene/picture.h"
 
 enum { SUMMARY_SIZE = 512, TEXT_SIZE = 96 };
 
@@ -136,6 +138,24 @@ static void print_volumes(struct zr_print *print, const struct zr_volumes *volum
     zr_print_end(print, '}');
 }
 
+/* Views by the axes of the first file: front, right and top. */
+static void print_silhouettes(struct zr_print *print, const struct zr_comparison *c, const struct zr_scene *a)
+{
+    const bool z_is_up = a->picture->z_is_up || (a->file.up && strcmp(a->file.up, "z") == 0);
+    const struct {
+        const char *view;
+        int axis;
+    } rows[3] = {{"front", z_is_up ? 1 : 2}, {"right", 0}, {"top", z_is_up ? 2 : 1}};
+    zr_print_begin(print, "silhouettes", '[');
+    for (int i = 0; i < 3; i++) {
+        zr_print_begin(print, NULL, '{');
+        zr_print_string(print, "view", rows[i].view);
+        zr_print_double(print, "iou", c->silhouettes[rows[i].axis]);
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, ']');
+}
+
 static void print_deviation(struct zr_print *print, const char *key, const struct zr_comparison *c,
                             const struct zr_deviation *deviation)
 {
@@ -253,6 +273,7 @@ enum zr_status zr_comparison_json_write(const struct zr_comparison *c, const str
     print_solid(print, "b", c, b, &c->b, &c->volumes.b);
     if (c->align != ZR_ALIGN_NONE) print_alignment(print, c);
     if (c->has_volumes) print_volumes(print, &c->volumes);
+    print_silhouettes(print, c, a);
     if (c->has_deviation) print_distances(print, c);
     if (c->has_volumes) print_regions(print, c);
     if (c->has_parts) print_changes(print, &c->parts);

@@ -47,11 +47,11 @@ static struct zr_alignment align(const struct zr_mesh *a, const struct zr_mesh *
     struct zr_world_place *places = zr_arena_copy(&arena, second.places, second.place_count * sizeof *second.places);
     struct zr_surface_tree tree;
     struct zr_alignment out;
-    if (degrees != 0) zr_align_move(&second, &motion);
+    if (degrees != 0) zr_align_move(&second, &motion, NULL);
     assert_int_equal(zr_surface_tree_make(&run, &first, &tree), ZR_OK);
     assert_int_equal(zr_align_find(&run, &tree, &second, kind, &out), ZR_OK);
     assert_false(out.is_omitted);
-    zr_align_move(&second, &out.motion);
+    zr_align_move(&second, &out.motion, NULL);
     *distance = 0;
     for (uint32_t i = 0; i < again.place_count; i++) {
         const struct zr_world_place way = zr_world_place_minus(second.places[i], places[i]);
@@ -90,7 +90,7 @@ TEST_AROUND(icp_finds_a_part_that_is_nearly_in_place, open_arena, close_arena)
         zr_rigid_of_step(zero, (const double[3]){0.02, -0.03, 0.05}, (const double[3]){0.03, 0.02, -0.05});
     struct zr_surface_tree tree;
     struct zr_alignment out;
-    zr_align_move(&second, &motion);
+    zr_align_move(&second, &motion, NULL);
     assert_int_equal(zr_surface_tree_make(&run, &first, &tree), ZR_OK);
     assert_int_equal(zr_align_find(&run, &tree, &second, ZR_ALIGN_ICP, &out), ZR_OK);
     assert_near(out.after, 0, 1e-13);

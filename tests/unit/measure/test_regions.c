@@ -61,6 +61,15 @@ TEST_AROUND(equal_faces_of_other_triangles_give_no_region, open_arena, close_are
     assert_int_equal(regions_of(&a.mesh, &b.mesh, 256, 1e-5).count, 0);
 }
 
+/* Two crescents, whose rims are thinner than the cells and grazed by rays. */
+TEST_AROUND(a_moved_sphere_has_two_regions, open_arena, close_arena)
+{
+    const struct model a = model_sphere(&arena, 1, 256, (const double[3]){0, 0, 0}),
+                       b = model_sphere(&arena, 1, 252, (const double[3]){0.1, 0, 0});
+    for (uint32_t rays = 128; rays <= 512; rays *= 2)
+        assert_int_equal(regions_of(&a.mesh, &b.mesh, rays, 1e-4).count, 2);
+}
+
 TEST_AROUND(thin_regions_are_left_out, open_arena, close_arena)
 {
     const struct model a = model_box(&arena, (const double[3]){0, 0, 0}, (const double[3]){1, 1, 1}),
