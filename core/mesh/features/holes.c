@@ -249,6 +249,26 @@ static bool group(struct zr_feature_work *work, double size, struct zr_hole *hol
     return true;
 }
 
+/* Finds the patterns of groups. */
+static bool arrange(struct zr_arena *scratch, struct zr_feature_work *work, double size, struct zr_hole *holes,
+                    uint32_t count)
+{
+    zr_dvec3 *places = zr_arena_alloc(scratch, ZR_PATTERN_PLACES_MAX, sizeof *places);
+    double(*room)[2] = zr_arena_alloc(scratch, ZR_PATTERN_PLACES_MAX, sizeof *room);
+    for (uint32_t i = 0; i < count && places && room; i++) {
+        uint32_t listed = 0;
+        if (holes[i].group != i) continue;
+        for (uint32_t k = i; k < count && listed <= ZR_PATTERN_PLACES_MAX; k++) {
+            if (!zr_feature_has_steps(work, 1)) return false;
+            if (holes[k].group != i) continue;
+            if (listed < ZR_PATTERN_PLACES_MAX) places[listed] = holes[k].at;
+            listed++;
+        }
+        holes[i].pattern = zr_pattern_of(work, places, listed, holes[i].axis, size, room);
+    }
+    return places && room && !work->is_stopped;
+}
+
 /* ---- fillets ---- */
 
 static bool is_fillet(const struct zr_cylinder *cylinder, const struct zr_surface *surface)
@@ -282,7 +302,7 @@ static uint32_t list_fillets(const struct zr_cylinders *cylinders, const struct 
 
 /* ---- all steps ---- */
 
-static bool list_all(struct finding *f, struct zr_holes *out, struct zr_hole *holes)
+static bool list_all(struct zr_arena *scratch, struct finding *f, struct zr_holes *out, struct zr_hole *holes)
 {
     for (uint32_t i = 0; i < f->count; i++) /* holes first */
         if (is_hole(&f->rounds[i]) && !f->rounds[i].is_listed)
@@ -293,7 +313,9 @@ static bool list_all(struct finding *f, struct zr_holes *out, struct zr_hole *ho
     out->holes = holes;
     out->bosses = bosses;
     const double size = f->facets->surface->size;
-    return group(f->work, size, holes, out->hole_count) && group(f->work, size, bosses, out->boss_count);
+    return group(f->work, size, holes, out->hole_count) && group(f->work, size, bosses, out->boss_count) &&
+           arrange(scratch, f->work, size, holes, out->hole_count) &&
+           arrange(scratch, f->work, size, bosses, out->boss_count);
 }
 
 bool zr_holes_find(struct zr_arena *arena, struct zr_feature_work *work, const struct zr_facets *facets,
@@ -320,7 +342,7 @@ bool zr_holes_find(struct zr_arena *arena, struct zr_feature_work *work, const s
     if (ok) {
         out->fillets = made;
         out->fillet_count = list_fillets(&cylinders, facets->surface, order, made);
-        ok = look_at_ends(&scratch, &f) && link_holes(&f) && list_all(&f, out, holes);
+        ok = look_at_ends(&scratch, &f) && link_holes(&f) && list_all(&scratch, &f, out, holes);
     }
     zr_arena_close_scratch(&scratch, arena);
     return ok && zr_arena_ok(arena);

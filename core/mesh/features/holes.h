@@ -13,6 +13,7 @@
 #define ZR_HOLES_H
 
 #include "mesh/features/cylinders.h"
+#include "mesh/features/patterns.h"
 
 enum { ZR_HOLE_STEPS_MAX = 4 };
 
@@ -36,6 +37,7 @@ struct zr_hole {
     uint32_t step_count;
     struct zr_hole_step steps[ZR_HOLE_STEPS_MAX]; /* from the entry on */
     uint32_t group;                               /* number of the first equal one */
+    struct zr_pattern pattern;                    /* of its group; only the first one has it */
 };
 
 struct zr_fillets {

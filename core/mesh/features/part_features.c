@@ -207,8 +207,10 @@ static void place(struct zr_part_features *f, zr_dvec3 origin)
     struct zr_plane *planes = (struct zr_plane *)(uintptr_t)f->planes.at;
     struct zr_border *borders = (struct zr_border *)(uintptr_t)f->borders.at;
     for (int k = 0; k < 2; k++)
-        for (uint32_t i = 0; i < counts[k]; i++)
+        for (uint32_t i = 0; i < counts[k]; i++) {
             holes[k][i].at = zr_dvec3_add_scaled(holes[k][i].at, origin, 1.0);
+            holes[k][i].pattern.center = zr_dvec3_add_scaled(holes[k][i].pattern.center, origin, 1.0);
+        }
     for (uint32_t i = 0; i < f->planes.count; i++)
         planes[i].offset += zr_dvec3_dot(planes[i].normal, origin);
     for (uint32_t i = 0; i < f->borders.count; i++)
