@@ -271,8 +271,13 @@ static void describe_group(struct mcp_text *text, const cJSON *group)
         mcp_text_print(text, ", %.6g deep", mcp_number_of(group, "depth"));
     else
         mcp_text_print(text, ", %.6g high", mcp_number_of(group, "height"));
-    cJSON_ArrayForEach(step, mcp_get(group, "steps")) mcp_text_print(
-        text, ", step of diameter %.6g, %.6g deep", mcp_number_of(step, "diameter"), mcp_number_of(step, "depth"));
+    cJSON_ArrayForEach(step, mcp_get(group, "steps"))
+    {
+        const double angle = mcp_number_of(step, "angleDegrees");
+        mcp_text_print(text, ", %s of diameter %.6g, %.6g deep", angle > 0 ? "countersink" : "step",
+                       mcp_number_of(step, "diameter"), mcp_number_of(step, "depth"));
+        if (angle > 0) mcp_text_print(text, ", %.4g degrees", angle);
+    }
     mcp_text_print(text, ", along (%.4g, %.4g, %.4g)", mcp_number_at(axis, 0), mcp_number_at(axis, 1),
                    mcp_number_at(axis, 2));
     cJSON_ArrayForEach(place, mcp_get(group, "at"))

@@ -106,6 +106,7 @@ static void print_group(const struct printing *p, const struct zr_hole *holes, u
             zr_print_begin(p->print, NULL, '{');
             print_length(p, "diameter", hole->steps[i].diameter);
             print_length(p, "depth", hole->steps[i].depth);
+            if (hole->steps[i].angle > 0.0) print_length(p, "angleDegrees", hole->steps[i].angle);
             zr_print_count(p->print, "segments", hole->steps[i].segments);
             zr_print_end(p->print, '}');
         }

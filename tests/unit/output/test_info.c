@@ -1,5 +1,6 @@
 /* The channel info of scenes: what it lists, and the memory that it takes. */
 #include <cjson/cJSON.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
