@@ -180,7 +180,8 @@ static void find_of_surface(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_facets facets;
     struct zr_seeds seeds;
     struct zr_arena rest;
-    const size_t size = ((size_t)ZR_FEATURE_BYTES_OF_REST * surface->triangle_count + ZR_FEATURE_BYTES_OF_REST_LEAST) &
+    const size_t count = surface->triangle_count, most = ZR_FEATURE_BYTES_OF_REST_LEAST;
+    const size_t size = (ZR_FEATURE_BYTES_OF_REST * count + (count < most / 32 ? 32 * count : most) + most) &
                         ~(size_t)(ZR_ARENA_ALIGN - 1);
     if (!zr_facets_make(arena, &halves.works[0], surface, &facets) ||
         !zr_seeds_find(arena, team, &halves.works[0], &facets, &seeds)) {

@@ -1,6 +1,6 @@
 #include "output/json/features_json.h"
 
-static const double ZERO = 1e-7;
+static const double ZERO = 1e-7, ZERO_DIRECTION = 1e-5;
 
 /* The part that is printed. Places and lengths nearer to 0 than a ten-millionth of the size are 0. */
 struct printing {
@@ -21,7 +21,8 @@ static void print_length(const struct printing *p, const char *key, double value
 
 static void print_direction(const struct printing *p, const char *key, zr_dvec3 v)
 {
-    const float out[3] = {(float)snapped(v.x, ZERO), (float)snapped(v.y, ZERO), (float)snapped(v.z, ZERO)};
+    const float out[3] = {(float)snapped(v.x, ZERO_DIRECTION), (float)snapped(v.y, ZERO_DIRECTION),
+                          (float)snapped(v.z, ZERO_DIRECTION)};
     zr_print_floats(p->print, key, out, 3);
 }
 
