@@ -30,6 +30,9 @@ static const struct {
                                [ZR_ALGORITHM_SCANLINE] = {6.0, 16.0},
                                [ZR_ALGORITHM_PAINTER] = {12.0, 80.0}};
 
+/* Triangles whose features take as long as the least of a part. */
+#define ZR_COST_FEATURES_OF_PART 100.0
+
 static void count_geometry(const struct zr_scene *scene, const struct zr_cost_passes *passes, double *counts)
 {
     const double times = passes->centres + passes->samples + passes->maps;
@@ -47,7 +50,8 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
         if (has_info && triangles >= ZR_OVERLAP_FACES_LEAST) counts[ZR_COST_INFO] = 1.0;
         if (has_info) counts[ZR_COST_FACT] += triangles;
-        if (has_info && scene->has_features) counts[ZR_COST_FEATURE] += triangles;
+        if (has_info && scene->has_features)
+            counts[ZR_COST_FEATURE] += triangles + ZR_COST_FEATURES_OF_PART * zr_mesh_part_count(mesh);
         if (has_info) counts[ZR_COST_PART] += zr_mesh_part_count(mesh);
         if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */
             counts[ZR_COST_SECTION_CORNER] +=

@@ -266,6 +266,7 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
         zr_print_double(print, "leastWall", facts->least_wall.thickness);
     else
         zr_print_null(print, "leastWall");
+    if (facts->least_wall.is_found) print_exact_place(print, "leastWallAt", facts->least_wall.at, moved);
     if (facts->least_wall.is_omitted) zr_print_bool(print, "leastWallOmitted", true);
     zr_print_bool(print, "closed", facts->is_closed);
     print_shells(print, &facts->shells);

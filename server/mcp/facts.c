@@ -55,7 +55,7 @@ static cJSON *make_part(const cJSON *part)
 {
     static const char *const keys[] = {"name",         "id",     "hidden", "triangles", "area",         "volume",
                                        "volumeError",  "closed", "shells", "openEdges", "flippedEdges", "leastWall",
-                                       "centerOfMass", "color",  "pixels", "features"};
+                                       "centerOfMass", "color",  "pixels", "features",  "leastWallAt"};
     cJSON *made = cJSON_CreateObject();
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         copy(made, part, keys[i]);
@@ -265,14 +265,19 @@ static void describe_group(struct mcp_text *text, const cJSON *group)
 {
     const cJSON *through = mcp_get(group, "through"), *axis = mcp_get(group, "axis"), *place, *step;
     int places = 0;
-    mcp_text_print(text, "%.0f x diameter %.6g", mcp_number_of(group, "count"), mcp_number_of(group, "diameter"));
+    mcp_text_print(text, "%.0f x diameter %.5g", mcp_number_of(group, "count"), mcp_number_of(group, "diameter"));
     if (through && !cJSON_IsNull(through)) mcp_text_put(text, cJSON_IsTrue(through) ? ", through" : ", blind");
     if (mcp_get(group, "depth"))
-        mcp_text_print(text, ", %.6g deep", mcp_number_of(group, "depth"));
+        mcp_text_print(text, ", %.5g deep", mcp_number_of(group, "depth"));
     else
-        mcp_text_print(text, ", %.6g high", mcp_number_of(group, "height"));
-    cJSON_ArrayForEach(step, mcp_get(group, "steps")) mcp_text_print(
-        text, ", step of diameter %.6g, %.6g deep", mcp_number_of(step, "diameter"), mcp_number_of(step, "depth"));
+        mcp_text_print(text, ", %.5g high", mcp_number_of(group, "height"));
+    cJSON_ArrayForEach(step, mcp_get(group, "steps"))
+    {
+        const double angle = mcp_number_of(step, "angleDegrees");
+        mcp_text_print(text, ", %s of diameter %.5g, %.5g deep", angle > 0 ? "countersink" : "step",
+                       mcp_number_of(step, "diameter"), mcp_number_of(step, "depth"));
+        if (angle > 0) mcp_text_print(text, ", %.4g degrees", angle);
+    }
     mcp_text_print(text, ", along (%.4g, %.4g, %.4g)", mcp_number_at(axis, 0), mcp_number_at(axis, 1),
                    mcp_number_at(axis, 2));
     cJSON_ArrayForEach(place, mcp_get(group, "at"))

@@ -144,7 +144,9 @@ static void search_leaves(struct zr_wall_search *s, uint32_t near, uint32_t far)
             has_own = has_place[k] = true;
             if (!is_better(s, distance_of_plane(a, b[k], m))) continue;
             if (!zr_wall_has_steps(s, STEPS_PER_PAIR)) return;
-            if (make_pair(s, order[i], other, a, b[k], &pair) && zr_wall_probe(s, &pair)) s->best = pair.thickness;
+            if (!make_pair(s, order[i], other, a, b[k], &pair) || !zr_wall_probe(s, &pair)) continue;
+            s->best = pair.thickness;
+            s->best_at = s->at;
         }
     }
 }
@@ -218,6 +220,12 @@ static void search_all(struct zr_wall_search *s)
     if (!s->is_stopped) search_pairs(s);
 }
 
+/* Coordinates within a step of 0 are 0. */
+static double rounded(double value, double step)
+{
+    return fabs(value) <= step ? 0.0 : value;
+}
+
 struct zr_least_wall zr_least_wall_find(struct zr_arena *arena, const struct zr_cancel *cancel,
                                         const struct zr_wall_faces *faces, uint64_t *steps)
 {
@@ -234,6 +242,9 @@ struct zr_least_wall zr_least_wall_find(struct zr_arena *arena, const struct zr_
         wall.is_omitted = s.is_stopped;
         wall.is_found = !s.is_stopped && s.best < HUGE_VAL;
         wall.thickness = wall.is_found ? s.best : 0.0;
+        wall.at[0] = rounded(s.best_at.x + solid.origin.x, solid.step);
+        wall.at[1] = rounded(s.best_at.y + solid.origin.y, solid.step);
+        wall.at[2] = rounded(s.best_at.z + solid.origin.z, solid.step);
     }
     zr_arena_close_scratch(&scratch, arena);
     return wall;

@@ -29,6 +29,7 @@
 struct zr_least_wall {
     bool is_found, is_omitted; /* omitted: too much work, or no memory for it; then not found */
     double thickness;
+    double at[3]; /* world space: a place in the middle of it */
 };
 
 /* Finds the least wall of a closed part, in at most `steps` steps, which are used up. Takes scratch from the arena and

@@ -241,6 +241,17 @@ static bool hold_beside(struct zr_wall_search *s, const struct zr_wall_pair *pai
     return !beside->is_full;
 }
 
+/* Notes the middle of a wall along a line. Returns true. */
+static bool keep_place(struct zr_wall_search *s, const struct zr_wall_pair *pair, struct zr_wall_point p)
+{
+    const struct zr_wall_frame *frame = &pair->frame;
+    const double height = 0.5 * (zr_wall_height_at(&pair->near, p) + zr_wall_height_at(&pair->far, p));
+    s->at = (struct zr_world_place){(p.u * frame->u.x + p.v * frame->v.x) + height * frame->d.x,
+                                    (p.u * frame->u.y + p.v * frame->v.y) + height * frame->d.y,
+                                    (p.u * frame->u.z + p.v * frame->v.z) + height * frame->d.z};
+    return true;
+}
+
 /* The middle of the overlap, and places near its corners and sides. */
 bool zr_wall_probe(struct zr_wall_search *s, const struct zr_wall_pair *pair)
 {
@@ -250,7 +261,7 @@ bool zr_wall_probe(struct zr_wall_search *s, const struct zr_wall_pair *pair)
         middle.u += pair->overlap[i].u / pair->count;
         middle.v += pair->overlap[i].v / pair->count;
     }
-    if (is_wall_at(s, pair, middle, NULL)) return true;
+    if (is_wall_at(s, pair, middle, NULL)) return keep_place(s, pair, middle);
     const struct beside *held = hold_beside(s, pair, &beside) ? &beside : NULL;
     for (int i = 0; i < 3 * pair->count; i++) {
         static const double shares[3] = {0.75, 0.5, 0.96875}; /* half way to a side, to a corner, and next to it */
@@ -258,11 +269,8 @@ bool zr_wall_probe(struct zr_wall_search *s, const struct zr_wall_pair *pair)
                                    to = i % 3 == 0 ? (struct zr_wall_point){0.5 * (a.u + b.u), 0.5 * (a.v + b.v)} : a;
         const double share = shares[i % 3];
         if (s->is_stopped) return false;
-        if (is_wall_at(
-                s, pair,
-                (struct zr_wall_point){middle.u + share * (to.u - middle.u), middle.v + share * (to.v - middle.v)},
-                held))
-            return true;
+        const struct zr_wall_point at = {middle.u + share * (to.u - middle.u), middle.v + share * (to.v - middle.v)};
+        if (is_wall_at(s, pair, at, held)) return keep_place(s, pair, at);
     }
     return false;
 }

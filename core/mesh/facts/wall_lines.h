@@ -39,6 +39,7 @@ struct zr_wall_search {
     uint64_t steps, steps_most, next_look;
     bool is_stopped; /* cancelled, or too many steps */
     double best;
+    struct zr_world_place at, best_at; /* middles of the last line that was within a wall, and of the best one */
 };
 
 /* Both sides of a possible wall, projected: their overlap. */
@@ -105,7 +106,7 @@ static inline double zr_wall_height_at(const struct zr_wall_facet *f, struct zr_
 /* ---- lines ---- */
 
 /* True if a line through the overlap is inside the part from one side to the other, and outside before and behind.
- * Probes up to 1 + 3 * pair->count lines. */
+ * Probes up to 1 + 3 * pair->count lines. Sets search->at then. */
 bool zr_wall_probe(struct zr_wall_search *search, const struct zr_wall_pair *pair);
 
 #endif

@@ -157,6 +157,9 @@ static bool measure(const struct joining *j, const uint32_t *list, uint32_t coun
     }
     out->coverage = zr_angle_set_degrees(&covered);
     out->facets = zr_angle_set_arcs(&directions);
+    if (out->coverage > 180.0 &&
+        !zr_cone_ends_find(j->work, j->facets, list, count, &out->frame, out->low, out->high, out->cones))
+        return false;
     out->segments = out->coverage > 0.0 ? (uint32_t)(out->facets * (360.0 / out->coverage) + 0.5) : 0;
     return true;
 }

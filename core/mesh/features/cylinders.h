@@ -6,17 +6,19 @@
 #ifndef ZR_CYLINDERS_H
 #define ZR_CYLINDERS_H
 
+#include "mesh/features/cone_ends.h"
 #include "mesh/features/patches.h"
 
 struct zr_cylinder {
     struct zr_cylinder_frame frame;
     bool is_concave;
-    double low, high;  /* along the axis, from the frame's centre */
-    double coverage;   /* degrees of the turn that facets cover */
-    double flat;       /* least distance of a facet's plane from the axis */
-    double error;      /* farthest corner from the circle */
-    uint32_t segments; /* facets of a whole turn */
-    uint32_t facets;   /* directions of facets that there are */
+    double low, high;            /* along the axis, from the frame's centre */
+    double coverage;             /* degrees of the turn that facets cover */
+    double flat;                 /* least distance of a facet's plane from the axis */
+    double error;                /* farthest corner from the circle */
+    uint32_t segments;           /* facets of a whole turn */
+    uint32_t facets;             /* directions of facets that there are */
+    struct zr_cone_end cones[2]; /* at the low and the high end, of more than half a turn */
 };
 
 struct zr_cylinders {

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/sort.h"
+#include "mesh/features/angles.h"
 #include "mesh/features/axis_lines.h"
 
 enum { SEGMENTS_LEAST = 8, FILLET_FACETS_LEAST = 4, NO_LINK = -1 };
@@ -156,11 +157,17 @@ static double radius_of(const struct finding *f, uint32_t round)
     return f->rounds[round].cylinder->frame.radius;
 }
 
+/* Returns the radius of an outer end, with its countersink. */
+static double width_of(const struct finding *f, struct outer_end at)
+{
+    return zr_most_of(radius_of(f, at.round), f->rounds[at.round].cylinder->cones[at.end].radius);
+}
+
 /* Returns the end at which the chain begins: the open one, else the wider one, else the upper one. */
 static struct outer_end entry_of(const struct finding *f, struct outer_end a, struct outer_end b)
 {
     const bool a_closed = state_of(f, a) == ZR_END_CLOSED, b_closed = state_of(f, b) == ZR_END_CLOSED;
-    const double ra = radius_of(f, a.round), rb = radius_of(f, b.round);
+    const double ra = width_of(f, a), rb = width_of(f, b);
     if (a_closed != b_closed) return a_closed ? b : a;
     if (fabs(ra - rb) > SAME * ra) return ra > rb ? a : b;
     return leads_down(axis_from(f->rounds[a.round].cylinder, a.end)) ? a : b;
@@ -170,6 +177,22 @@ static enum zr_hole_reach reach_of(enum zr_cylinder_end a, enum zr_cylinder_end 
 {
     if (a == ZR_END_UNKNOWN || b == ZR_END_UNKNOWN) return ZR_REACH_UNKNOWN;
     return a == ZR_END_CLOSED || b == ZR_END_CLOSED ? ZR_REACH_BLIND : ZR_REACH_THROUGH;
+}
+
+static void add_step(struct zr_hole *hole, struct zr_hole_step step)
+{
+    if (hole->step_count < ZR_HOLE_STEPS_MAX) hole->steps[hole->step_count++] = step;
+}
+
+/* Adds the cone at an end of a cylinder if it widens. Returns its depth. */
+static double add_countersink(const struct zr_cylinder *cylinder, int end, struct zr_hole *hole)
+{
+    const struct zr_cone_end *cone = &cylinder->cones[end];
+    const double wider = cone->radius - cylinder->frame.radius;
+    if (!(cone->height > 0.0 && wider > 0.0)) return 0.0;
+    add_step(hole, (struct zr_hole_step){2.0 * cone->radius, cone->height, 2.0 * zr_angle_of(cone->height, wider),
+                                         cylinder->segments});
+    return cone->height;
 }
 
 /* Lists the chain of holes that one belongs to. False if it is closed at both ends. */
@@ -194,17 +217,21 @@ static bool list_chain(const struct finding *f, uint32_t round, struct zr_hole *
     *out = measure(&f->rounds[narrowest], narrow_end);
     out->at = center_at(f->rounds[entry.round].cylinder, entry.end);
     out->reach = reach_of(state_of(f, low), state_of(f, high));
+    const double sunk = add_countersink(f->rounds[entry.round].cylinder, entry.end, out);
+    out->at = zr_dvec3_add_scaled(out->at, axis_from(f->rounds[entry.round].cylinder, entry.end), 0.0 - sunk);
     uint32_t walked = entry.round;
-    for (int side = entry.end;;) {
+    int side = entry.end;
+    for (;;) {
         const struct zr_cylinder *cylinder = f->rounds[walked].cylinder;
-        if (walked != narrowest && out->step_count < ZR_HOLE_STEPS_MAX)
-            out->steps[out->step_count++] =
-                (struct zr_hole_step){2.0 * cylinder->frame.radius, cylinder->high - cylinder->low, cylinder->segments};
+        if (walked != narrowest)
+            add_step(out, (struct zr_hole_step){2.0 * cylinder->frame.radius, cylinder->high - cylinder->low, 0.0,
+                                                cylinder->segments});
         if (walked == at) break;
         const uint32_t next = (uint32_t)f->rounds[walked].links[!side];
         side = f->rounds[next].links[0] == walked ? 0 : 1;
         walked = next;
     }
+    add_countersink(f->rounds[walked].cylinder, !side, out);
     return state_of(f, low) != ZR_END_CLOSED || state_of(f, high) != ZR_END_CLOSED;
 }
 
@@ -230,7 +257,7 @@ static bool are_equal(const struct zr_hole *a, const struct zr_hole *b, double s
         return false;
     for (uint32_t i = 0; i < a->step_count; i++)
         if (!are_same(a->steps[i].diameter, b->steps[i].diameter, size) ||
-            !are_same(a->steps[i].depth, b->steps[i].depth, size))
+            !are_same(a->steps[i].depth, b->steps[i].depth, size) || fabs(a->steps[i].angle - b->steps[i].angle) > 1.0)
             return false;
     return true;
 }
@@ -247,6 +274,26 @@ static bool group(struct zr_feature_work *work, double size, struct zr_hole *hol
         }
     }
     return true;
+}
+
+/* Finds the patterns of groups. */
+static bool arrange(struct zr_arena *scratch, struct zr_feature_work *work, double size, struct zr_hole *holes,
+                    uint32_t count)
+{
+    zr_dvec3 *places = zr_arena_alloc(scratch, ZR_PATTERN_PLACES_MAX, sizeof *places);
+    double(*room)[2] = zr_arena_alloc(scratch, ZR_PATTERN_PLACES_MAX, sizeof *room);
+    for (uint32_t i = 0; i < count && places && room; i++) {
+        uint32_t listed = 0;
+        if (holes[i].group != i) continue;
+        for (uint32_t k = i; k < count && listed <= ZR_PATTERN_PLACES_MAX; k++) {
+            if (!zr_feature_has_steps(work, 1)) return false;
+            if (holes[k].group != i) continue;
+            if (listed < ZR_PATTERN_PLACES_MAX) places[listed] = holes[k].at;
+            listed++;
+        }
+        holes[i].pattern = zr_pattern_of(work, places, listed, holes[i].axis, size, room);
+    }
+    return places && room && !work->is_stopped;
 }
 
 /* ---- fillets ---- */
@@ -282,7 +329,7 @@ static uint32_t list_fillets(const struct zr_cylinders *cylinders, const struct 
 
 /* ---- all steps ---- */
 
-static bool list_all(struct finding *f, struct zr_holes *out, struct zr_hole *holes)
+static bool list_all(struct zr_arena *scratch, struct finding *f, struct zr_holes *out, struct zr_hole *holes)
 {
     for (uint32_t i = 0; i < f->count; i++) /* holes first */
         if (is_hole(&f->rounds[i]) && !f->rounds[i].is_listed)
@@ -293,7 +340,9 @@ static bool list_all(struct finding *f, struct zr_holes *out, struct zr_hole *ho
     out->holes = holes;
     out->bosses = bosses;
     const double size = f->facets->surface->size;
-    return group(f->work, size, holes, out->hole_count) && group(f->work, size, bosses, out->boss_count);
+    return group(f->work, size, holes, out->hole_count) && group(f->work, size, bosses, out->boss_count) &&
+           arrange(scratch, f->work, size, holes, out->hole_count) &&
+           arrange(scratch, f->work, size, bosses, out->boss_count);
 }
 
 bool zr_holes_find(struct zr_arena *arena, struct zr_feature_work *work, const struct zr_facets *facets,
@@ -320,7 +369,7 @@ bool zr_holes_find(struct zr_arena *arena, struct zr_feature_work *work, const s
     if (ok) {
         out->fillets = made;
         out->fillet_count = list_fillets(&cylinders, facets->surface, order, made);
-        ok = look_at_ends(&scratch, &f) && link_holes(&f) && list_all(&f, out, holes);
+        ok = look_at_ends(&scratch, &f) && link_holes(&f) && list_all(&scratch, &f, out, holes);
     }
     zr_arena_close_scratch(&scratch, arena);
     return ok && zr_arena_ok(arena);

@@ -3,6 +3,7 @@
  * Hole:   concave, over more than 185 degrees, with no material in the middle. Fewer than 8 segments count only if they
  *         go all around. Coaxial holes that meet are steps of one: the narrowest is the hole, the others its steps.
  *         A hole that is closed at both ends is a cavity, and is left out.
+ *         Cones that widen at its ends, such as countersinks, are steps, too.
  * Boss:   the same for convex cylinders, such as shafts and rims. Half turns, such as ends of slots, are neither.
  * Fillet: 45 degrees or more and at least 4 facets, up to 185 degrees; convex ones are rounded edges. All corners lie
  *         on the circle, to 0.05 % of its radius: free forms seldom do.
@@ -13,13 +14,15 @@
 #define ZR_HOLES_H
 
 #include "mesh/features/cylinders.h"
+#include "mesh/features/patterns.h"
 
-enum { ZR_HOLE_STEPS_MAX = 4 };
+enum { ZR_HOLE_STEPS_MAX = 6 };
 
 enum zr_hole_reach { ZR_REACH_UNKNOWN, ZR_REACH_THROUGH, ZR_REACH_BLIND };
 
 struct zr_hole_step {
-    double diameter, depth;
+    double diameter, depth; /* of a cone: of its wide end */
+    double angle;           /* of a cone, such as a countersink: between opposite sides, in degrees; 0: a cylinder */
     uint32_t segments;
 };
 
@@ -36,6 +39,7 @@ struct zr_hole {
     uint32_t step_count;
     struct zr_hole_step steps[ZR_HOLE_STEPS_MAX]; /* from the entry on */
     uint32_t group;                               /* number of the first equal one */
+    struct zr_pattern pattern;                    /* of its group; only the first one has it */
 };
 
 struct zr_fillets {

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-enum { SIDE_MOST = 48, ENTRIES_OF_TRIANGLE = 12, ENTRIES_LEAST = 1 << 16 };
+enum { SIDE_MOST = 48, ENTRIES_OF_TRIANGLE = 12, ENTRIES_LEAST = 1 << 13 };
 
 /* Cells that a triangle comes near to. */
 struct range {

@@ -180,7 +180,8 @@ static void find_of_surface(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_facets facets;
     struct zr_seeds seeds;
     struct zr_arena rest;
-    const size_t size = ((size_t)ZR_FEATURE_BYTES_OF_REST * surface->triangle_count + ZR_FEATURE_BYTES_OF_REST_LEAST) &
+    const size_t count = surface->triangle_count, most = ZR_FEATURE_BYTES_OF_REST_LEAST;
+    const size_t size = (ZR_FEATURE_BYTES_OF_REST * count + (count < most / 32 ? 32 * count : most) + most) &
                         ~(size_t)(ZR_ARENA_ALIGN - 1);
     if (!zr_facets_make(arena, &halves.works[0], surface, &facets) ||
         !zr_seeds_find(arena, team, &halves.works[0], &facets, &seeds)) {
@@ -207,8 +208,10 @@ static void place(struct zr_part_features *f, zr_dvec3 origin)
     struct zr_plane *planes = (struct zr_plane *)(uintptr_t)f->planes.at;
     struct zr_border *borders = (struct zr_border *)(uintptr_t)f->borders.at;
     for (int k = 0; k < 2; k++)
-        for (uint32_t i = 0; i < counts[k]; i++)
+        for (uint32_t i = 0; i < counts[k]; i++) {
             holes[k][i].at = zr_dvec3_add_scaled(holes[k][i].at, origin, 1.0);
+            holes[k][i].pattern.center = zr_dvec3_add_scaled(holes[k][i].pattern.center, origin, 1.0);
+        }
     for (uint32_t i = 0; i < f->planes.count; i++)
         planes[i].offset += zr_dvec3_dot(planes[i].normal, origin);
     for (uint32_t i = 0; i < f->borders.count; i++)

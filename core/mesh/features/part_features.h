@@ -23,8 +23,8 @@ enum { ZR_FEATURE_STEPS_MIN = 1 << 22, ZR_FEATURE_STEPS = 128 };
 /* Bytes of scratch: per triangle, per position, and beside. */
 enum { ZR_FEATURE_BYTES = 320, ZR_FEATURE_BYTES_OF_POSITION = 64, ZR_FEATURE_BYTES_LEAST = 8 << 20 };
 
-/* Bytes for what is found beside the holes: per triangle, and beside. */
-enum { ZR_FEATURE_BYTES_OF_REST = 64, ZR_FEATURE_BYTES_OF_REST_LEAST = 1 << 20 };
+/* Bytes for what is found beside the holes: per triangle, and beside; of many triangles, twice as many beside. */
+enum { ZR_FEATURE_BYTES_OF_REST = 64, ZR_FEATURE_BYTES_OF_REST_LEAST = 1 << 19 };
 
 struct zr_part_features {
     double size;     /* diagonal of the part's box */

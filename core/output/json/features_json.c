@@ -1,6 +1,6 @@
 #include "output/json/features_json.h"
 
-static const double ZERO = 1e-7;
+static const double ZERO = 1e-7, ZERO_DIRECTION = 1e-5;
 
 /* The part that is printed. Places and lengths nearer to 0 than a ten-millionth of the size are 0. */
 struct printing {
@@ -21,7 +21,8 @@ static void print_length(const struct printing *p, const char *key, double value
 
 static void print_direction(const struct printing *p, const char *key, zr_dvec3 v)
 {
-    const float out[3] = {(float)snapped(v.x, ZERO), (float)snapped(v.y, ZERO), (float)snapped(v.z, ZERO)};
+    const float out[3] = {(float)snapped(v.x, ZERO_DIRECTION), (float)snapped(v.y, ZERO_DIRECTION),
+                          (float)snapped(v.z, ZERO_DIRECTION)};
     zr_print_floats(p->print, key, out, 3);
 }
 
@@ -66,6 +67,25 @@ static void print_places(const struct printing *p, const struct zr_hole *holes, 
     if (printed < places) zr_print_count(p->print, "atOmitted", places - printed);
 }
 
+static void print_pattern(const struct printing *p, const struct zr_pattern *pattern)
+{
+    if (pattern->kind == ZR_PATTERN_NONE) return;
+    zr_print_begin(p->print, "pattern", '{');
+    zr_print_string(p->print, "kind", pattern->kind == ZR_PATTERN_CIRCLE ? "circle" : "grid");
+    print_place(p, "center", pattern->center);
+    if (pattern->kind == ZR_PATTERN_CIRCLE) {
+        print_length(p, "diameter", pattern->diameter);
+    } else {
+        const float pitch[2] = {(float)pattern->pitch[0], (float)pattern->pitch[1]};
+        zr_print_begin(p->print, "counts", '[');
+        zr_print_count(p->print, NULL, pattern->counts[0]);
+        zr_print_count(p->print, NULL, pattern->counts[1]);
+        zr_print_end(p->print, ']');
+        zr_print_floats(p->print, "pitch", pitch, 2);
+    }
+    zr_print_end(p->print, '}');
+}
+
 static void print_group(const struct printing *p, const struct zr_hole *holes, uint32_t count, uint32_t first,
                         bool is_hole)
 {
@@ -78,6 +98,7 @@ static void print_group(const struct printing *p, const struct zr_hole *holes, u
     if (is_hole && hole->reach != ZR_REACH_UNKNOWN) zr_print_bool(p->print, "through", hole->reach == ZR_REACH_THROUGH);
     print_direction(p, "axis", hole->axis);
     print_places(p, holes, count, first);
+    print_pattern(p, &hole->pattern);
     zr_print_count(p->print, "segments", hole->segments);
     print_length(p, "coverageDegrees", hole->coverage);
     if (hole->step_count > 0) {
@@ -86,6 +107,7 @@ static void print_group(const struct printing *p, const struct zr_hole *holes, u
             zr_print_begin(p->print, NULL, '{');
             print_length(p, "diameter", hole->steps[i].diameter);
             print_length(p, "depth", hole->steps[i].depth);
+            if (hole->steps[i].angle > 0.0) print_length(p, "angleDegrees", hole->steps[i].angle);
             zr_print_count(p->print, "segments", hole->steps[i].segments);
             zr_print_end(p->print, '}');
         }

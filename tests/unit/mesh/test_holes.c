@@ -97,7 +97,12 @@ TEST_AROUND(countersinks_and_tips_of_drills_leave_the_hole, open_arena, close_ar
     plate_drilled(40, 26, 8, drills, 2);
     const struct zr_holes *holes = find();
     assert_int_equal(holes->hole_count, 2);
-    assert_hole(hole_at(holes, -8, 0, 6), 4, 6, ZR_REACH_THROUGH, 32);
+    const struct zr_hole *sunk = hole_at(holes, -8, 0, 8);
+    assert_hole(sunk, 4, 6, ZR_REACH_THROUGH, 32);
+    assert_int_equal(sunk->step_count, 1);
+    assert_about(sunk->steps[0].diameter, 8, 1e-4);
+    assert_about(sunk->steps[0].depth, 2, 1e-4);
+    assert_about(sunk->steps[0].angle, 90, 1e-4);
     assert_hole(hole_at(holes, 8, 0, 8), 4, 4, ZR_REACH_BLIND, 32);
 }
 
@@ -218,9 +223,9 @@ static void add_score(const struct zr_holes *holes, const struct drill *drills, 
     for (uint32_t i = 0; i < count; i++) {
         const struct drill *d = &drills[i];
         if (d->height > 0.0) continue;
-        const double bore = d->bore > 0.0 ? d->bore_depth : 0.0, mouth = height - d->cone;
+        const double bore = d->bore > 0.0 ? d->bore_depth : 0.0;
         const double depth = d->depth > 0.0 ? d->depth : height - bore - d->cone;
-        const struct plate_point p = plate_direction(plate.turn, (struct plate_point){d->x, d->y, mouth});
+        const struct plate_point p = plate_direction(plate.turn, (struct plate_point){d->x, d->y, height});
         score->wanted++;
         for (uint32_t k = 0; k < holes->hole_count; k++) {
             const struct zr_hole *hole = &holes->holes[k];
@@ -232,7 +237,7 @@ static void add_score(const struct zr_holes *holes, const struct drill *drills, 
             if (off < 0.05 * d->radius && fabs(hole->diameter - 2.0 * d->radius) < 0.002 * d->radius &&
                 fabs(hole->depth - depth) < 1e-3 * depth &&
                 hole->reach == (d->depth > 0.0 ? ZR_REACH_BLIND : ZR_REACH_THROUGH) &&
-                hole->step_count == (d->bore > 0.0) && hole->segments == d->segments)
+                hole->step_count == (d->bore > 0.0 || d->cone > 0.0) && hole->segments == d->segments)
                 score->right++;
         }
     }

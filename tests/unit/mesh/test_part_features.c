@@ -92,11 +92,56 @@ TEST_AROUND(holes_break_a_symmetry, open_arena, close_arena)
     assert_int_equal(found->symmetry.mirror_count, 1); /* across z */
     assert_int_equal(found->symmetry.turn_count, 1);
     assert_int_equal(found->symmetry.turns[0].order, 4);
+    const struct zr_pattern *grid = &found->holes.holes[0].pattern;
+    assert_int_equal(grid->kind, ZR_PATTERN_GRID);
+    assert_int_equal(grid->counts[0], 2);
+    assert_int_equal(grid->counts[1], 2);
+    assert_about(grid->pitch[0], 8 * sqrt(2));
+    assert_about(grid->pitch[1], 8 * sqrt(2));
     plate_begin();
     plate_drilled(40, 26, 4, one_hole, 1);
     found = find(NULL, NULL);
     assert_int_equal(found->symmetry.mirror_count, 1);
     assert_int_equal(found->symmetry.turn_count, 0);
+}
+
+TEST_AROUND(equal_holes_have_patterns, open_arena, close_arena)
+{
+    struct drill drills[12];
+    plate_begin();
+    for (int i = 0; i < 5; i++) {
+        double s, c;
+        zr_sine_cosine(72.0 * i, &s, &c);
+        drills[i] = (struct drill){.x = 9 * c - 15, .y = 9 * s + 1, .radius = 1, .segments = 24};
+    }
+    for (int i = 0; i < 6; i++)
+        drills[5 + i] = (struct drill){.x = 5.0 * (i % 3) + 6, .y = 7.0 * (i / 3), .radius = 1.5, .segments = 24};
+    plate_drilled(60, 40, 4, drills, 11);
+    const struct zr_holes *holes = &find(NULL, NULL)->holes;
+    int circles = 0, grids = 0;
+    assert_int_equal(holes->hole_count, 11);
+    for (uint32_t i = 0; i < holes->hole_count; i++) {
+        const struct zr_pattern *pattern = &holes->holes[i].pattern;
+        if (holes->holes[i].group != i) continue;
+        circles += pattern->kind == ZR_PATTERN_CIRCLE;
+        grids += pattern->kind == ZR_PATTERN_GRID;
+        if (pattern->kind == ZR_PATTERN_CIRCLE) {
+            assert_about(pattern->diameter, 18);
+            assert_about(pattern->center.x, -15);
+            assert_about(pattern->center.y, 1);
+        } else {
+            assert_int_equal(pattern->counts[0], 3);
+            assert_int_equal(pattern->counts[1], 2);
+            assert_about(pattern->pitch[0], 5);
+            assert_about(pattern->pitch[1], 7);
+        }
+    }
+    assert_int_equal(circles, 1);
+    assert_int_equal(grids, 1);
+    drills[3].x += 0.1;
+    plate_begin();
+    plate_drilled(60, 40, 4, drills, 5);
+    assert_int_equal(find(NULL, NULL)->holes.holes[0].pattern.kind, ZR_PATTERN_NONE);
 }
 
 TEST_AROUND(a_tube_is_round, open_arena, close_arena)
