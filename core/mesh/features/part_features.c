@@ -196,6 +196,7 @@ static void find_of_surface(struct zr_arena *arena, struct zr_team *team, const 
     halves.arenas[0] = arena;
     halves.arenas[1] = &rest;
     zr_team_ranges(team, 2, 1, find_half, &halves);
+    if (rest.failed && rest.wanted == 0) arena->failed = true; /* the system has no memory: nothing is left out for that */
     if (out->is_omitted) out->holes = (struct zr_holes){.hole_count = 0};
 }
 
