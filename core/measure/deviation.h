@@ -1,9 +1,8 @@
 /* deviation.h - measure: distances of the surface of one solid from that of another one.
  *
  * To:      the surface itself, not points of it: equal surfaces have the distance 0, whatever their triangles.
- * From:    points of equal shares of the area, in the order of the triangles, placed by the R2 sequence (Roberts,
- *          2018);
- *          no random numbers. The largest distance is also sought at all corners.
+ * From:    points of equal shares of the area, in the order of the triangles, placed by the R2 sequence
+ *          (surface_points.h). The largest distance is also sought at all corners.
  * Sign:    positive outside the other solid, if that is closed. So a place that was added has a positive distance.
  * Shells:  if those of a solid overlap, points on walls that lie inside it are left out. Distances to such walls of the
  *          other solid count.
