@@ -118,6 +118,16 @@ static void print_deviations(const cJSON *deviation)
     printf(", normal consistency %s\n", text);
 }
 
+static void print_alignment(const cJSON *alignment)
+{
+    char before[64], after[64];
+    const cJSON *align = member(alignment, "align");
+    if (!cJSON_IsString(align)) return;
+    format(member(alignment, "rmsBefore"), before);
+    format(member(alignment, "rmsAfter"), after);
+    printf("\naligned by %s: root mean square distance %s before, %s after\n", align->valuestring, before, after);
+}
+
 static void print_volumes(const cJSON *volume)
 {
     char both[64], a[64], b[64];
@@ -181,6 +191,7 @@ static void print_all(const struct options *options, const cJSON *all)
     const cJSON *summary = member(all, "summary"), *warning;
     if (cJSON_IsString(summary)) puts(summary->valuestring);
     print_solids(member(all, "a"), member(all, "b"));
+    print_alignment(member(all, "alignment"));
     print_volumes(member(all, "volume"));
     print_deviations(member(all, "deviation"));
     print_regions(member(all, "regions"));

@@ -1,5 +1,7 @@
 #include "measure/comparison.h"
 
+#include <string.h>
+
 #include "base/arena.h"
 #include "base/cancel.h"
 #include "base/status.h"
@@ -17,9 +19,13 @@ static const struct {
              {10.0, "centimetres and millimetres"}, {1000.0, "metres and millimetres"},
              {100.0, "metres and centimetres"},     {39.37, "metres and inches"}};
 
-/* Warns if one model is larger by the factor of two units, to 2 %. */
-static void warn_of_units(const struct zr_run *run, struct zr_comparison *c)
+/* Warns if the files name different units, or if one model is larger by the factor of two units, to 2 %. */
+static void warn_of_units(const struct zr_run *run, const struct zr_scene *const scenes[2], struct zr_comparison *c)
 {
+    const char *const names[2] = {scenes[0]->file.unit, scenes[1]->file.unit};
+    if (names[0] && names[1] && strcmp(names[0], names[1]) != 0)
+        zr_warning_list_add(run->arena, &c->warnings, "a is in the unit %s, b in %s: lengths are not converted",
+                            names[0], names[1]);
     const double ratio = c->a.diagonal > 0.0 ? c->b.diagonal / c->a.diagonal : 1.0;
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
         const double up = ratio / units[i].factor, down = ratio * units[i].factor;
@@ -178,7 +184,7 @@ enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scen
             return zr_error_add(run->error, ZR_BAD_SCENE, NULL,
                                 "%s has no faces with an area; comparing needs surfaces, not lines or points",
                                 sides[i]);
-    warn_of_units(run, out);
+    warn_of_units(run, (const struct zr_scene *const[2]){a, b}, out);
     if (out->align != ZR_ALIGN_NONE) status = align(run, out);
     if (status != ZR_OK) return status;
     status = measure(run, (const struct zr_scene *const[2]){a, b}, options, out);

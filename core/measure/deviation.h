@@ -1,8 +1,8 @@
 /* deviation.h - measure: distances of the surface of one solid from that of another one.
  *
  * To:      the surface itself, not points of it: equal surfaces have the distance 0, whatever their triangles.
- * From:    points of equal shares of the area, in the order of the triangles, placed by the R2 sequence (Roberts, 2018);
- *          no random numbers. The largest distance is also sought at all corners.
+ * From:    points of equal shares of the area, in the order of the triangles, placed by the R2 sequence
+ *          (surface_points.h). The largest distance is also sought at all corners.
  * Sign:    positive outside the other solid, if that is closed. So a place that was added has a positive distance.
  * Shells:  if those of a solid overlap, points on walls that lie inside it are left out. Distances to such walls of the
  *          other solid count.
@@ -16,7 +16,7 @@
 #include "measure/surface_tree.h"
 
 enum { ZR_DEVIATION_POINTS = 50000, ZR_DEVIATION_STEPS = 1 << 12 };
-enum { ZR_DEVIATION_STEPS_LEAST = 1 << 29, ZR_DEVIATION_STEPS_MEAN = 1 << 10 };
+enum { ZR_DEVIATION_STEPS_LEAST = 1 << 28, ZR_DEVIATION_STEPS_MEAN = 1 << 10 };
 
 /* The cosine of 25 degrees: normals that differ less are alike. */
 #define ZR_DEVIATION_ALIKE 0.90630778703664996

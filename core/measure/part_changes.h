@@ -26,8 +26,8 @@ struct zr_part_changes {
     const struct zr_part_change *at;
 };
 
-/* Lists the changes in the arena, by the order of parts in a, then in b. `tolerance`: moves up to it count as none. Fails
- * with ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Lists the changes in the arena, by the order of parts in a, then in b. `tolerance`: moves up to it count as none.
+ * Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_part_changes_find(const struct zr_run *run, const struct zr_solid *a,
                                     const struct zr_part_list *parts_a, const struct zr_solid *b,
                                     const struct zr_part_list *parts_b, double tolerance, struct zr_part_changes *out);

@@ -4,7 +4,8 @@
  *          neighbours that they overlap, or would overlap if the faces at their ends were continued. So a thin region
  *          along faces that rays graze is one.
  * Thin:    intervals whose thickness, across the flatter of the faces at their ends, is at most `thin` are left out.
- *          Faces that coincide but are cut into other triangles give such slivers, which are long where rays graze them.
+ *          Faces that coincide but are cut into other triangles give such slivers, which are long
+ *          where rays graze them.
  * Small:   regions of less than the volume of eight cells are left out.
  * Bounds:  a box and a volume are those of the rays: a side may be short by a cell of the grid.
  * Exact:   one thread, in a fixed order.

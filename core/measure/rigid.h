@@ -22,8 +22,8 @@ struct zr_solid;
 /* Returns the moments of the volume of a closed solid, else of the surface. If cancelled, returns any early. */
 struct zr_moments zr_moments_of(const struct zr_solid *solid, const struct zr_cancel *cancel);
 
-/* Finds the eigenvalues of a symmetric matrix, ascending, and unit eigenvectors, the columns of a rotation. By rotations
- * of Jacobi. */
+/* Finds the eigenvalues of a symmetric matrix, ascending, and unit eigenvectors, the columns of a rotation. By
+ * rotations of Jacobi. */
 void zr_eigen_find(const double matrix[3][3], double values[3], double vectors[3][3]);
 
 struct zr_world_place zr_rigid_apply(const struct zr_rigid *motion, struct zr_world_place p);
@@ -31,7 +31,7 @@ struct zr_world_place zr_rigid_apply(const struct zr_rigid *motion, struct zr_wo
 /* Returns the motion that does `first`, then `then`. */
 struct zr_rigid zr_rigid_after(const struct zr_rigid *first, const struct zr_rigid *then);
 
-/* Returns the motion that turns around `center` by a rotation near the vector `turn` (its tangent form), then shifts. */
+/* Returns the motion that turns around `center` by a rotation near the vector `turn`, its tangent form, and shifts. */
 struct zr_rigid zr_rigid_of_step(struct zr_world_place center, const double turn[3], const double shift[3]);
 
 static inline struct zr_rigid zr_rigid_none(void)

@@ -1,7 +1,7 @@
 /* surface_points.h - measure: points that are spread evenly over the triangles of a solid.
  *
- * Where:  each has an equal share of the area, in the order of the triangles. Its place in its triangle is that of the R2
- *         sequence. There are no random numbers: the same solid gives the same points.
+ * Where:  each has an equal share of the area, in the order of the triangles. Its place in its triangle is that of the
+ *         R2 sequence. There are no random numbers: the same solid gives the same points.
  * Source: Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018.
  */
 #ifndef ZR_SURFACE_POINTS_H

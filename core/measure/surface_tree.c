@@ -160,7 +160,8 @@ static struct zr_world_place along(struct zr_world_place from, struct zr_world_p
     return (struct zr_world_place){from.x + step.x * t, from.y + step.y * t, from.z + step.z * t};
 }
 
-/* Returns the place of a triangle that is nearest to p. Source: Ericson, "Real-Time Collision Detection", 2005, 5.1.5 */
+/* Returns the place of a triangle that is nearest to p.
+ * Source: Ericson, "Real-Time Collision Detection", 2005, 5.1.5. */
 static struct zr_world_place nearest_of(const struct zr_world_place t[3], struct zr_world_place p)
 {
     const struct zr_world_place ab = zr_world_place_minus(t[1], t[0]), ac = zr_world_place_minus(t[2], t[0]),

@@ -1,5 +1,5 @@
-/* surface_tree.h - measure: the triangles of a solid in a tree of boxes: the nearest place on its surface, and whether a
- * place is inside.
+/* surface_tree.h - measure: the triangles of a solid in a tree of boxes: the nearest place on its surface, and whether
+ * a place is inside.
  *
  * Space:   that of the solid's places, in double precision.
  * Tree:    a heap over leaves of triangles in the order of cells of space: the children of node i are 2 i and 2 i + 1.

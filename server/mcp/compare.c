@@ -131,7 +131,8 @@ static void take_faults(const struct mcp_faults *from, struct mcp_faults *faults
 static enum mcp_draw_status run(const struct mcp_host *host, const struct mcp_compare *compare,
                                 struct mcp_faults *faults, struct mcp_text *result)
 {
-    struct mcp_compared *compared = host->allocate(host->context, sizeof *compared);
+    struct mcp_compared *compared = host->compare ? host->allocate(host->context, sizeof *compared) : NULL;
+    if (!host->compare) mcp_fault(faults, "", "this server does not compare models");
     if (!compared) return MCP_REFUSED;
     *compared = (struct mcp_compared){.json = NULL};
     const enum mcp_draw_status status = host->compare(host->context, compare, compared);

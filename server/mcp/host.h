@@ -69,6 +69,7 @@ struct mcp_host {
     void *(*allocate)(void *context, size_t size);    /* until the end of the message; NULL: out of memory */
     enum mcp_draw_status (*draw)(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn);
     void (*release)(void *context, struct mcp_drawn *drawn); /* after MCP_DRAWN */
+    /* Compares; NULL: the host does not. */
     enum mcp_draw_status (*compare)(void *context, const struct mcp_compare *compare, struct mcp_compared *compared);
     void (*release_compared)(void *context, struct mcp_compared *compared); /* after MCP_DRAWN */
 };

@@ -248,6 +248,23 @@ static void count_colors(const zraster_picture *picture, uint32_t *red, uint32_t
     }
 }
 
+/* A scene of glTF has metres; a format without units is not told. */
+TEST_AROUND(other_names_of_units_are_told, open_renderer, close_renderer)
+{
+    static const char gltf[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":"
+        "[{"
+        "\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+        "\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":"
+        "36}],"
+        "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
+        "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}";
+    cJSON *answer = compare(gltf, "gltf", obj(one, zero, cube, 12), "obj", "precision=quick");
+    assert_string_equal(cJSON_GetObjectItem(cJSON_GetObjectItem(answer, "a"), "unit")->valuestring, "metre");
+    assert_null(cJSON_GetObjectItem(cJSON_GetObjectItem(answer, "b"), "unit"));
+    cJSON_Delete(answer);
+}
+
 TEST_AROUND(differences_are_drawn_in_their_colors, open_renderer, close_renderer)
 {
     static const struct {
