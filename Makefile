@@ -469,6 +469,12 @@ feature-edges: ## borders and creases of the models beside those that VTK finds
 	@.ci/need $(PYTHON)=python3 /usr/lib/python3/dist-packages/vtk.py=python3-vtk9
 	@$(PYTHON) tests/reference/tables/feature_edges.py $(DATA)/models
 
+.PHONY: holes
+holes: ## holes of random plates that are found: precision and recall; PLATES=200
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/unit/mesh/test_holes
+	@PLATES=$(or $(PLATES),200) ONLY=holes_of_random_plates_are_found $(BUILD)/tests/unit/mesh/test_holes
+
 .PHONY: sections
 sections: ## caps beside winding numbers in double, of our solids and the models, and their areas beside vtkCutter and shapely: SIDE=96
 	@.ci/need $(NEED_BUILD) $(NEED_TEST) $(PYTHON)=python3 $(addprefix /usr/lib/python3/dist-packages/,vtk.py=python3-vtk9 shapely=python3-shapely numpy=python3-numpy)

@@ -6,7 +6,7 @@
 /* ROW(name, letter in the rows of options, arguments, summary); the first one is the default. command_NAME runs it. */
 #define COMMAND_ROWS(ROW)                                                                                              \
     ROW(render, 'r', "FILE... [-o OUTPUT] [OPTION]...", "draws models and scenes (default)")                           \
-    ROW(info, 'i', "FILE [OPTION]...", "prints the facts of a model or scene: camera, bounds, counts, warnings")       \
+    ROW(info, 'i', "FILE [OPTION]...", "prints the facts of a model or scene: camera, bounds, parts, holes, warnings") \
     ROW(batch, 'b', "FILE|FOLDER|GLOB|-... [-o FOLDER] [OPTION]...",                                                   \
         "draws many files on all cores; -: names, or lines such as {\"file\": \"a.stl\", \"look\": \"clay\"}, from "   \
         "standard input")                                                                                              \

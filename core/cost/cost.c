@@ -30,8 +30,8 @@ static const struct {
                                [ZR_ALGORITHM_SCANLINE] = {6.0, 16.0},
                                [ZR_ALGORITHM_PAINTER] = {12.0, 80.0}};
 
-/* Triangles whose features take as long as the least of a part. */
-#define ZR_COST_FEATURES_OF_PART 100.0
+/* Triangles whose features take as long as those of the smallest part. */
+#define FEATURES_OF_PART 100.0
 
 static void count_geometry(const struct zr_scene *scene, const struct zr_cost_passes *passes, double *counts)
 {
@@ -50,8 +50,7 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
         if (has_info && triangles >= ZR_OVERLAP_FACES_LEAST) counts[ZR_COST_INFO] = 1.0;
         if (has_info) counts[ZR_COST_FACT] += triangles;
-        if (has_info && scene->has_features)
-            counts[ZR_COST_FEATURE] += triangles + ZR_COST_FEATURES_OF_PART * zr_mesh_part_count(mesh);
+        if (has_info && scene->has_features) counts[ZR_COST_FEATURE] += triangles;
         if (has_info) counts[ZR_COST_PART] += zr_mesh_part_count(mesh);
         if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */
             counts[ZR_COST_SECTION_CORNER] +=
@@ -61,6 +60,7 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         counts[ZR_COST_DRAWN_TRIANGLE] += zr_cost_line_times(scene, passes) * triangles;
     }
     counts[ZR_COST_PART] = fmin(counts[ZR_COST_PART], ZR_FRAME_PARTS_MAX);
+    if (scene->has_features) counts[ZR_COST_FEATURE] += FEATURES_OF_PART * counts[ZR_COST_PART];
 }
 
 /* Cost per pixel of a computed data channel, relative to POSITION. */

@@ -196,7 +196,7 @@ static void find_of_surface(struct zr_arena *arena, struct zr_team *team, const 
     halves.arenas[0] = arena;
     halves.arenas[1] = &rest;
     zr_team_ranges(team, 2, 1, find_half, &halves);
-    if (rest.failed && rest.wanted == 0) arena->failed = true; /* the system has no memory: nothing is left out for that */
+    if (rest.failed && rest.wanted == 0) arena->failed = true; /* the system has no memory */
     if (out->is_omitted) out->holes = (struct zr_holes){.hole_count = 0};
 }
 
@@ -252,8 +252,9 @@ static size_t bytes_of(const struct zr_mesh *mesh)
 {
     const size_t corners = mesh->face_offsets[mesh->face_count], faces = mesh->face_count;
     const size_t rings = mesh->face_rings ? mesh->face_rings[faces] : faces;
-    return ZR_FEATURE_BYTES * (corners + 2 * rings - 4 * faces) +
-           ZR_FEATURE_BYTES_OF_POSITION * (size_t)mesh->position_count + ZR_FEATURE_BYTES_LEAST;
+    const size_t triangles = corners + 2 * rings > 4 * faces ? corners + 2 * rings - 4 * faces : 0;
+    return ZR_FEATURE_BYTES * triangles + ZR_FEATURE_BYTES_OF_POSITION * (size_t)mesh->position_count +
+           ZR_FEATURE_BYTES_LEAST;
 }
 
 /* Finds the features of the parts from `begin` to `end`, which are of one mesh. */

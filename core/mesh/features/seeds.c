@@ -104,7 +104,7 @@ static void try_range(void *context, size_t begin, size_t end)
         struct zr_patch patch;
         const bool is_seed = zr_seed_plant(&own, facets, side, &patch) &&
                              (has_third(&own, facets, &patch, a, b) || has_third(&own, facets, &patch, b, a));
-        if (!is_seed && !own.is_stopped) l->seeds[i] = 0;
+        if (!is_seed) l->seeds[i] = 0;
     }
 }
 

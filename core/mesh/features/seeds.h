@@ -3,7 +3,7 @@
  * Seeds:  the edges between facets that turn by up to 62 degrees, longest first. The edge is the axis; the circle goes
  *         through the edge and the far sides of both facets, whose widths differ by at most 2.5 times.
  * Tried:  only edges beside which a third facet fits are seeds. Free forms have few. The edges are tried in parallel, each
- *         with at most ZR_SEED_STEPS steps; one that takes more is a seed.
+ *         with at most ZR_SEED_STEPS steps: facets of very many triangles are flat faces, not sides of a cylinder.
  */
 #ifndef ZR_SEEDS_H
 #define ZR_SEEDS_H
@@ -11,7 +11,7 @@
 #include "base/team.h"
 #include "mesh/features/patch.h"
 
-enum { ZR_SEED_STEPS = 256 };
+enum { ZR_SEED_STEPS = 1024 };
 
 struct zr_seeds {
     uint32_t count;

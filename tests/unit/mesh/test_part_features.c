@@ -218,6 +218,52 @@ TEST_AROUND(threads_change_nothing, open_arena, close_arena)
     zr_team_destroy(team);
 }
 
+/* ---- any triangles ---- */
+
+TEST_AROUND(triangles_of_any_kind_are_looked_at, open_arena, close_arena)
+{
+    enum { PLACES = 60, TRIANGLES = 200 };
+    static zr_vec4 positions[PLACES];
+    static uint32_t indices[3 * TRIANGLES], offsets[TRIANGLES + 1];
+    struct random random = random_seeded(11);
+    for (int i = 0; i < 400; i++) {
+        const uint32_t places = 3 + (uint32_t)(random_next(&random) % (PLACES - 3)),
+                       triangles = 1 + (uint32_t)(random_next(&random) % TRIANGLES);
+        const int kind = (int)(random_next(&random) % 4);
+        for (uint32_t k = 0; k < places; k++) {
+            double s, c;
+            zr_sine_cosine(random_range(&random, 0, 360), &s, &c);
+            positions[k] = kind == 0   ? (zr_vec4){(float)(random_next(&random) % 3), (float)(random_next(&random) % 3),
+                                                   (float)(random_next(&random) % 3), 1}
+                           : kind == 1 ? (zr_vec4){(float)c, (float)s, (float)(random_next(&random) % 3), 1}
+                           : kind == 2 ? (zr_vec4){(float)c, (float)s, 0, 1}
+                                       : (zr_vec4){(float)random_range(&random, -1e30, 1e30), (float)s, (float)c, 1};
+        }
+        for (uint32_t k = 0; k < 3 * triangles; k++)
+            indices[k] = (uint32_t)(random_next(&random) % places);
+        for (uint32_t k = 0; k <= triangles; k++)
+            offsets[k] = 3 * k;
+        placed_begin(1, 1);
+        placed.meshes[0] = (struct zr_mesh){.name = "any",
+                                            .position_count = places,
+                                            .positions = positions,
+                                            .face_count = triangles,
+                                            .face_offsets = offsets,
+                                            .indices = indices};
+        const struct zr_part_list list = zr_part_list_make(&arena, &placed.test.scene, 1);
+        const struct zr_run run = {.arena = &arena, .scratch = &arena};
+        const struct zr_part_facts facts = {.triangles = triangles};
+        struct zr_part_features features;
+        assert_int_equal(zr_part_features_find(&run, &placed.test.scene, &list, &facts, &features), ZR_OK);
+        for (uint32_t k = 0; k < features.holes.hole_count; k++)
+            assert_true(isfinite(features.holes.holes[k].diameter) && isfinite(features.holes.holes[k].at.x));
+        for (uint32_t k = 0; k < features.planes.count; k++)
+            assert_true(isfinite(features.planes.at[k].offset));
+        assert_true(!features.cylinder.is_found || isfinite(features.cylinder.diameter));
+        zr_arena_reset(&arena, SIZE_MAX);
+    }
+}
+
 /* Makes a sphere with a rough surface, of 2 side^2 triangles. */
 static struct zr_mesh rough_sphere(uint32_t side)
 {

@@ -64,6 +64,9 @@ TEST(info_measures_all_triangles_and_lists_up_to_a_thousand_parts)
     test.mesh.part_count = 1100;
     assert_near(count(ZR_COST_PART), 1000);
     assert_near(count(ZR_COST_INFO), 0); /* two triangles have no overlap */
+    assert_near(count(ZR_COST_FEATURE), 0);
+    test.scene.has_features = true;
+    assert_near(count(ZR_COST_FEATURE), 2 + 1000 * 100);
     const zr_vec4 corners[3 * 6] = {{0, 0, 0, 1}};
     scene_of_triangles(&test, WIDTH, HEIGHT, corners, 6);
     test.scene.views[0].outputs = &info;

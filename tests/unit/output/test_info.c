@@ -75,6 +75,22 @@ TEST_AROUND(info_has_the_least_wall_of_closed_parts, open_arena, close_arena)
     assert_true(at[0] == 0.0 || at[1] == 0.0 || at[2] == 0.0); /* half way between two faces */
 }
 
+TEST_AROUND(info_has_the_features_of_parts_if_asked, open_arena, close_arena)
+{
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 1);
+    const struct zr_mesh cube = solid_make(&arena, SOLID_CUBE);
+    test.scene.meshes = &cube;
+    assert_null(strstr(info_of(&test).bytes, "\"features\""));
+    test.scene.has_features = true;
+    const struct zr_answer answer = info_of(&test);
+    assert_non_null(strstr(answer.bytes, "\"features\":{\"holes\":[],\"bosses\":[],\"fillets\":[],\"rounds\":[],"
+                                         "\"planes\":[{\"normal\":["));
+    assert_non_null(strstr(answer.bytes, "\"offset\":1,\"area\":4}],\"boundingCylinder\":{\"diameter\":2.82842"));
+    assert_non_null(strstr(answer.bytes, "\"turn\":[{\"axis\":[1,0,0],\"at\":[0,0,0],\"order\":4},"));
+}
+
 TEST_AROUND(nothing_seen_says_why, open_arena, close_arena)
 {
     static const struct {
