@@ -44,7 +44,8 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         counts[ZR_COST_INSTANCE] += times;
         counts[ZR_COST_VERTEX] += times * (double)mesh->position_count;
         if (finds_boxes) counts[ZR_COST_VERTEX] += (double)mesh->position_count;
-        counts[ZR_COST_TRIANGLE] += times * (triangles + 2.0 * (double)mesh->line_count + 0.5 * (double)mesh->point_count) *
+        counts[ZR_COST_TRIANGLE] += times *
+                                    (triangles + 2.0 * (double)mesh->line_count + 0.5 * (double)mesh->point_count) *
                                     TIMES[scene->algorithm].triangle;
         const enum zr_shading shading = scene->materials[mesh->material].shading;
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
@@ -226,6 +227,7 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct zr
         counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
     const double layer_times = zr_cost_lights_surfaces(scene) ? LAYER_SURFACE_TIMES : 1.0;
     counts[ZR_COST_LAYER] = layer_times * repeats * drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
+    if (scene->csg) counts[ZR_COST_SOLID_SAMPLE] = (times + passes->map_texels * scale / pixels) * sample->fragments;
     counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;

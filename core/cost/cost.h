@@ -29,6 +29,7 @@
     ROW(SHAPE_SAMPLE, 0.3, "pixels times corners of faces that are not convex")                                        \
     ROW(COMPARISON, 1.0, "pixels that the painter compares")                                                           \
     ROW(LAYER, 32.0, "pixels of translucent faces, hidden ones too")                                                   \
+    ROW(SOLID_SAMPLE, 14.0, "samples of faces, hidden ones too, of scenes with csg")                                   \
     ROW(CHANNEL_LAYER, 12.0, "pixels of faces, hidden ones too, for channels of all layers")                           \
     ROW(WINDOW_SAMPLE, 1.5, "samples of the window")                                                                   \
     ROW(CHANNEL_PIXEL, 12.0, "pixels of data channels that are computed")                                              \

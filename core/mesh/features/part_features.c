@@ -261,9 +261,9 @@ static size_t bytes_of(const struct zr_mesh *mesh)
 static enum zr_status find_of_mesh(const struct finding *f, uint32_t begin, uint32_t end)
 {
     const struct zr_mesh *mesh = &f->scene->meshes[f->parts->at[begin].mesh];
-    const size_t bytes = bytes_of(mesh);
+    const bool is_large = mesh->face_count > ZR_FEATURE_FACES_MOST || bytes_of(mesh) > zr_arena_left(f->run->arena);
     for (uint32_t p = begin; p < end; p++)
-        f->features[p] = (struct zr_part_features){.is_omitted = bytes > zr_arena_left(f->run->arena)};
+        f->features[p] = (struct zr_part_features){.is_omitted = is_large};
     if (f->features[begin].is_omitted) return ZR_OK;
     struct zr_arena scratch = zr_arena_open_scratch(f->run->arena);
     const struct zr_run inner = zr_run_in(f->run, &scratch);

@@ -3,6 +3,7 @@
  * Space:  world space, in double precision. A part that is closed and inside out is turned first.
  * Work:   counted in steps (mesh/features/surface.h). Each part has ZR_FEATURE_STEPS for each of its triangles, and an
  *         equal share of ZR_FEATURE_STEPS_MIN. A part that takes more, or more memory than is left, has no features.
+ *         The parts of a mesh with more than ZR_FEATURE_FACES_MOST faces, some two seconds of work, have none either.
  * Exact:  holes are found by one thread and the rest by another, in a fixed order, without libm but for sqrt.
  */
 #ifndef ZR_PART_FEATURES_H
@@ -18,7 +19,7 @@
 #include "mesh/features/symmetry.h"
 
 /* Steps for all parts together, and for each of their triangles: for holes, and as many for the rest. */
-enum { ZR_FEATURE_STEPS_MIN = 1 << 22, ZR_FEATURE_STEPS = 128 };
+enum { ZR_FEATURE_FACES_MOST = 1 << 19, ZR_FEATURE_STEPS_MIN = 1 << 22, ZR_FEATURE_STEPS = 128 };
 
 /* Bytes of scratch: per triangle, per position, and beside. */
 enum { ZR_FEATURE_BYTES = 320, ZR_FEATURE_BYTES_OF_POSITION = 64, ZR_FEATURE_BYTES_LEAST = 8 << 20 };
