@@ -299,7 +299,7 @@ static struct zr_mesh rough_sphere(uint32_t side)
 TEST_AROUND(work_stops_soon_when_cancelled, open_arena, close_arena)
 {
     static const double after_ms[] = {5, 20, 60, 120, 250, 500, 1000};
-    const struct zr_mesh mesh = rough_sphere(700);
+    const struct zr_mesh mesh = rough_sphere(500);
     placed_begin(1, 1);
     placed.meshes[0] = mesh;
     const struct zr_part_list list = zr_part_list_make(&arena, &placed.test.scene, 1);
