@@ -137,7 +137,12 @@ static void add_overlaps(struct zr_arena *arena, const struct zr_frame *frame, s
         count += parts->facts[i].has_overlap;
         if (parts->facts[i].has_overlap) first = i;
     }
-    if (count > 0)
+    if (count == 1)
+        zr_warning_list_add(arena, w,
+                            "shells of the part %.100s overlap or are turned against one another: volume and "
+                            "centerOfMass count each place inside once, to within volumeError",
+                            parts->list.at[first].name);
+    if (count > 1)
         zr_warning_list_add(arena, w,
                             "shells of %" PRIu32 " parts overlap or are turned against one another, the first: %.100s: "
                             "volume and centerOfMass count each place inside once, to within volumeError",
