@@ -33,6 +33,9 @@ static const struct {
 /* Triangles whose features take as long as those of the smallest part. */
 #define FEATURES_OF_PART 100.0
 
+/* Measuring a combined solid, relative to the overlaps of a scene. */
+#define INFOS_OF_SOLID 30.0
+
 static void count_geometry(const struct zr_scene *scene, const struct zr_cost_passes *passes, double *counts)
 {
     const double times = passes->centres + passes->samples + passes->maps;
@@ -50,7 +53,7 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         const enum zr_shading shading = scene->materials[mesh->material].shading;
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
         if (has_info && triangles >= ZR_OVERLAP_FACES_LEAST) counts[ZR_COST_INFO] = 1.0;
-        if (has_info) counts[ZR_COST_FACT] += triangles;
+        if (has_info) counts[ZR_COST_FACT] += scene->csg ? 2.0 * triangles : triangles;
         if (has_info && scene->has_features) counts[ZR_COST_FEATURE] += triangles;
         if (has_info) counts[ZR_COST_PART] += zr_mesh_part_count(mesh);
         if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */
@@ -61,6 +64,7 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         counts[ZR_COST_DRAWN_TRIANGLE] += zr_cost_line_times(scene, passes) * triangles;
     }
     counts[ZR_COST_PART] = fmin(counts[ZR_COST_PART], ZR_FRAME_PARTS_MAX);
+    if (has_info && scene->csg) counts[ZR_COST_INFO] += INFOS_OF_SOLID;
     if (scene->has_features) counts[ZR_COST_FEATURE] += FEATURES_OF_PART * counts[ZR_COST_PART];
 }
 

@@ -38,11 +38,26 @@ static bool has_work(struct working *w, uint64_t work)
     return !w->is_stopped;
 }
 
-static void add_row(struct working *w, const struct zr_ray_facet *f, uint32_t row, bool is_b)
+/* A triangle in the frame of the grid, and what its crossings tell beside their heights. */
+struct crossing_face {
+    struct zr_ray_facet facet;
+    bool is_b, has_tag;
+    uint8_t tag;
+};
+
+static uint64_t crossing_of(const struct making *m, const struct crossing_face *face, uint32_t row, uint32_t column,
+                            bool enters)
+{
+    const uint64_t height = zr_ray_height(m->grid, &face->facet, row, column);
+    return face->has_tag ? zr_crossing_tagged(height, face->tag, enters)
+                         : zr_crossing_of(height, face->facet.cosine, face->is_b, enters);
+}
+
+static void add_row(struct working *w, const struct crossing_face *face, uint32_t row)
 {
     struct making *m = w->m;
     uint32_t rise, fall;
-    if (!zr_ray_columns(m->grid, f, row, &rise, &fall)) return;
+    if (!zr_ray_columns(m->grid, &face->facet, row, &rise, &fall)) return;
     const uint32_t from = rise < fall ? rise : fall, to = rise < fall ? fall : rise;
     if (!has_work(w, to - from)) return;
     for (uint32_t column = from; column < to; column++) {
@@ -52,7 +67,7 @@ static void add_row(struct working *w, const struct zr_ray_facet *f, uint32_t ro
             continue;
         }
         const uint32_t at = atomic_fetch_sub_explicit(end, 1, memory_order_relaxed) - 1;
-        m->crossings[at] = zr_crossing_of(zr_ray_height(m->grid, f, row, column), f->cosine, is_b, rise <= fall);
+        m->crossings[at] = crossing_of(m, face, row, column, rise <= fall);
     }
 }
 
@@ -60,16 +75,17 @@ static void add_triangle(struct working *w, const struct zr_solid *solid, uint32
 {
     const struct zr_ray_grid *grid = w->m->grid;
     struct zr_world_place p[3];
-    struct zr_ray_facet f;
+    struct crossing_face face = {.is_b = is_b, .has_tag = solid->tags, .tag = solid->tags ? solid->tags[triangle] : 0};
+    struct zr_ray_facet *f = &face.facet;
     uint32_t begin, end;
     zr_solid_places(solid, triangle, p);
     for (int k = 0; k < 3; k++)
-        zr_ray_facet_put(grid, zr_world_place_minus(p[k], grid->middle), &f, k);
-    zr_ray_facet_plane(&f);
-    zr_ray_rows(grid, &f, &begin, &end);
+        zr_ray_facet_put(grid, zr_world_place_minus(p[k], grid->middle), f, k);
+    zr_ray_facet_plane(f);
+    zr_ray_rows(grid, f, &begin, &end);
     if (!has_work(w, 1 + (uint64_t)(end - begin))) return;
     for (uint32_t row = begin > 0 ? begin - 1 : 0; row < end + 1 && row < grid->rows && !w->is_stopped; row++)
-        add_row(w, &f, row, is_b);
+        add_row(w, &face, row);
 }
 
 static void add_range(void *context, size_t begin, size_t end)

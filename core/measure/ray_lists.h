@@ -36,6 +36,17 @@ static inline uint64_t zr_crossing_of(uint64_t height, double cosine, bool is_b,
            (is_b ? 2u : 0u) | (enters ? 1u : 0u);
 }
 
+/* With the tag of a triangle in place of the cosine. */
+static inline uint64_t zr_crossing_tagged(uint64_t height, uint8_t tag, bool enters)
+{
+    return height << ZR_CROSSING_HEIGHT_SHIFT | (uint64_t)tag << 2 | (enters ? 1u : 0u);
+}
+
+static inline uint32_t zr_crossing_tag(uint64_t crossing)
+{
+    return (uint32_t)(crossing >> 2 & UINT8_MAX);
+}
+
 static inline bool zr_crossing_is_b(uint64_t crossing)
 {
     return crossing >> 1 & 1u;

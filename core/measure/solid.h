@@ -26,6 +26,7 @@ struct zr_solid {
     const uint32_t (*vertices)[3]; /* welded ones, below vertex_count */
     uint32_t vertex_count;
     const uint32_t *parts;        /* per triangle: number in the scene's list of parts (scene/parts/part_list.h) */
+    const uint8_t *tags;          /* per triangle: in place of the cosine in lists of rays; NULL: none */
     struct zr_world_place middle; /* in the file */
     double min[3], max[3];        /* of all triangles, relative to `middle` */
     double diagonal;              /* 0: no triangle, or all corners at one place */

@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "measure/combined.h"
 #include "output/images/palette.h"
 #include "output/json/camera_json.h"
 #include "output/json/features_json.h"
@@ -289,6 +290,16 @@ static void print_parts(struct zr_print *print, const struct zr_frame_parts *par
     if (parts->list.total > count) zr_print_count(print, "partsOmitted", parts->list.total - count);
 }
 
+static void print_combined(struct zr_print *print, const struct zr_combined *combined)
+{
+    const double center[3] = {combined->center.x, combined->center.y, combined->center.z};
+    zr_print_begin(print, "csg", '{');
+    zr_print_double(print, "volume", combined->volume);
+    zr_print_double(print, "volumeError", combined->error);
+    if (combined->volume > 0.0) zr_print_doubles(print, "centerOfMass", center, 3);
+    zr_print_end(print, '}');
+}
+
 static void print_view(struct zr_print *print, const struct zr_scene *scene, const struct zr_frame *frame)
 {
     zr_print_count(print, "rules", ZR_RULES);
@@ -335,6 +346,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     zr_print_count(print, "instances", scene->instance_count);
     print_meshes(print, scene, patches, first);
     print_parts(print, &frame->parts, frame->origin);
+    if (frame->combined) print_combined(print, frame->combined);
     if (frame->masks) {
         const enum zr_status status = zr_masks_print(print, scene, frame, cancel);
         if (status != ZR_OK) return status;

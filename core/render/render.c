@@ -7,6 +7,7 @@
 #include "base/cancel.h"
 #include "base/memory_error.h"
 #include "base/run.h"
+#include "measure/combined.h"
 #include "overlay/color_bar.h"
 #include "raster/textbook/algorithms.h"
 #include "render/flow.h"
@@ -187,6 +188,8 @@ static enum zr_status run_pipeline(const struct zr_run *run, const struct zr_sce
           : resolved->lens  ? draw_through_lens(run, scene, resolved, frame)
                             : draw(run, scene, resolved, frame));
     if (status == ZR_OK && zr_view_wants(frame->view, ZR_CHANNEL_INFO)) STAGE(zr_frame_parts_find(run, scene, frame));
+    if (scene->csg && zr_view_wants(frame->view, ZR_CHANNEL_INFO))
+        STAGE(zr_combined_find(run, scene, &frame->combined));
     if (frame->fragments.count > 0) STAGE(zr_fragment_parts_find(run, scene, frame));
     return status;
 }

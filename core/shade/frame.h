@@ -92,6 +92,7 @@ struct zr_frame {
     };
     struct zr_pixel_fragments fragments;    /* only if wanted */
     struct zr_frame_parts parts;            /* only if info is wanted */
+    const struct zr_combined *combined;     /* measure/combined.h; only if info of a scene with csg is wanted */
     const struct zr_instance_masks *masks;  /* only if wanted */
     const struct zr_trace *trace;           /* only if wanted */
     const struct zr_line_sheet *lines;      /* only if an SVG is wanted */

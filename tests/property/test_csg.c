@@ -315,4 +315,45 @@ TEST(faces_in_common_planes_leave_nothing)
         }
 }
 
+/* ---- volumes ---- */
+
+/* Returns the number behind a key of the object csg of info. */
+static double number_of(const char *info, const char *key)
+{
+    const char *csg = strstr(info, "\"csg\":{"), *at = csg ? strstr(csg, key) : NULL;
+    if (!at) fail_msg("no %s in %s", key, info);
+    return atof(at + strlen(key));
+}
+
+TEST(volumes_are_those_of_the_boxes)
+{
+    static const struct {
+        const char *tree;
+        double volume, center;
+    } cases[] = {{"{\"union\": [\"a\", \"b\"]}", 10, (8 * 5.0 + 4 * 5.5 - 2 * 5.5) / 10},
+                 {"{\"difference\": [\"a\", \"b\"]}", 6, (8 * 5.0 - 2 * 5.5) / 6},
+                 {"{\"intersection\": [\"a\", \"b\"]}", 2, 5.5},
+                 {"{\"difference\": [\"a\", \"a\"]}", 0, 0}};
+    static char text[1024], info[1 << 14];
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        snprintf(
+            text, sizeof text,
+            "{\"render\": false, \"outputs\": [{\"channel\": \"info\"}], \"csg\": %s, \"meshes\": [{\"shape\": "
+            "{\"type\": \"box\", \"size\": 2}}, {\"shape\": {\"type\": \"box\", \"size\": [1, 1, 4]}}], \"nodes\": "
+            "[{\"name\": \"a\", \"mesh\": 0, \"translation\": [5, 0, 0]}, {\"name\": \"b\", \"mesh\": 1, "
+            "\"translation\": [5.5, 0, 0]}]}",
+            cases[i].tree);
+        zraster_picture *picture = picture_of(renderer, text);
+        const struct zraster_bytes bytes = bytes_of(picture, "info");
+        assert_true(bytes.size < sizeof info);
+        memcpy(info, bytes.data, bytes.size);
+        info[bytes.size] = '\0';
+        const double volume = number_of(info, "\"volume\":"), error = number_of(info, "\"volumeError\":");
+        if (fabs(volume - cases[i].volume) > 1e-5 || error > 0.005 || fabs(volume - cases[i].volume) > error + 1e-12)
+            fail_msg("%s: volume %.9g +- %g, not %g", cases[i].tree, volume, error, cases[i].volume);
+        if (cases[i].volume > 0.0) assert_true(fabs(number_of(info, "\"centerOfMass\":[") - cases[i].center) < 1e-5);
+        zraster_picture_free(picture);
+    }
+}
+
 RUN_TESTS(open_renderer, close_renderer)
