@@ -142,7 +142,8 @@ static enum zr_status draw_overlay(const struct zr_run *run, const struct zr_sce
 {
     enum zr_status status = ZR_OK;
     if (scene->color_bar.is_on) zr_color_bar_draw(scene, frame);
-    STAGE(zr_annotations_make(run, scene, frame, &frame->annotations));
+    if (zr_view_wants(frame->view, ZR_CHANNEL_COLOR))
+        STAGE(zr_annotations_make(run, scene, frame, &frame->annotations));
     STAGE(zr_annotations_draw(run, frame->annotations, frame));
     return status;
 }

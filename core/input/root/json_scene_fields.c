@@ -131,7 +131,8 @@ const struct zr_json_field zr_scene_fields[] = {
                                "items" : {"enum" : [ "box", "title", "triad", "scale", "labels" ]}
                            })},
     [ZR_SCENE_TITLE] = {"title", zr_read_title, 0, .otherwise = "the model's name",
-                        .text = "text of the title line, which annotate draws"},
+                        .text = "text of the title line, which annotate draws",
+                        .schema = ZR_SCHEMA({"type" : "string"})},
     [ZR_SCENE_DIMENSIONS] = {"dimensions", zr_read_dimensions, 0, .object = &zr_json_object_dimension,
                              .otherwise = "[]", .text = "dimensions between places, drawn over the picture",
                              .schema = ZR_SCHEMA({

@@ -12,7 +12,6 @@
 #include "overlay/annotate/place_dimensions.h"
 #include "overlay/color_bar.h"
 #include "scene/camera/mesh_up.h"
-#include "scene/output.h"
 
 static const char *const words[ZR_ANNOTATE_COUNT] = {"box", "title", "triad", "scale", "labels"};
 
@@ -116,14 +115,13 @@ enum zr_status zr_annotations_make(const struct zr_run *run, const struct zr_sce
                                    const struct zr_annotations **out)
 {
     *out = NULL;
-    if (!frame->view || !zr_annotate_is_on(&frame->view->annotate) || !zr_view_wants(frame->view, ZR_CHANNEL_COLOR))
-        return ZR_OK;
+    if (!zr_annotate_is_on(&frame->view->annotate)) return ZR_OK;
     struct zr_annotations *made = zr_arena_zero(run->arena, 1, sizeof *made);
     if (!made) return ZR_NO_MEMORY;
     made->marks.arena = run->arena;
     struct zr_layout *l = open_layout(run, scene, frame, &made->marks);
     if (!l) return ZR_NO_MEMORY;
-    if (zr_view_annotates(frame->view)) {
+    if (zr_annotate_fits(&frame->view->annotate, frame->width, frame->height)) {
         place_all(l, made);
     } else {
         for (int i = 0; i < ZR_ANNOTATE_COUNT; i++)

@@ -12,12 +12,6 @@
 #include "base/run.h"
 #include "overlay/annotate/layout.h"
 
-/* A numbered label of a part. */
-struct zr_numbered_part {
-    uint32_t number;
-    const char *name;
-};
-
 struct zr_annotations {
     struct zr_marks marks;
     uint32_t left_out_count, numbered_count;
@@ -25,7 +19,8 @@ struct zr_annotations {
     const struct zr_numbered_part *numbered;
 };
 
-/* Makes the marks of a frame, in `arena`. *out is NULL if the view asks for none. A view with a lens has a title and a
+/* Makes the marks of a frame, in `arena`. *out is NULL if the view asks for none. The view has the
+ * output color. A view with a lens has a title and a
  * triad only. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_annotations_make(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame,
                                    const struct zr_annotations **out);

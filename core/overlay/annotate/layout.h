@@ -25,6 +25,12 @@ struct zr_left_out {
     const char *what, *why;
 };
 
+/* A numbered label of a part. */
+struct zr_numbered_part {
+    uint32_t number;
+    const char *name;
+};
+
 enum { ZR_LAYOUT_RECTS = 512, ZR_LAYOUT_SEGMENTS = 1024, ZR_LEFT_OUT_MAX = 128 };
 
 struct zr_layout {

@@ -8,7 +8,7 @@
 #ifndef ZR_PART_LABELS_H
 #define ZR_PART_LABELS_H
 
-#include "overlay/annotate/annotate.h"
+#include "overlay/annotate/layout.h"
 
 /* Places the labels of visible parts. *numbered: in `arena`; NULL and 0 if names are drawn. */
 void zr_part_labels_place(struct zr_layout *layout, const struct zr_numbered_part **numbered, uint32_t *count);
