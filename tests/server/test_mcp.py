@@ -637,6 +637,7 @@ class Http(unittest.TestCase):
             ("facts", ["/text", '{"model": {"text"', "give a model"], {"text": BOX}),
             ("render", ["/background", "go into scene"], {"model": box, "background": "#ffffff"}),
             ("render", ["/annotate", "true or false"], {"model": box, "annotate": "no"}),
+            ("render", ["/annotate", "boxes"], {"model": box, "annotate": ["boxes"]}),
             ("render", ["/views/0", "did you mean isometric?"], {"model": box, "views": ["iso"]}),
             ("render", ["/views/0/view/azimuth", "did you mean azimuthDegrees?"], {"model": box, "views": [{"view": {"azimuth": 30}}]}),
             ("render", ["/parts/hide/0", "did you mean block?"], {"model": box, "parts": {"hide": ["blokc"]}}),

@@ -124,12 +124,22 @@ struct zr_ink zr_layout_ink(const struct zr_layout *layout, uint32_t color, doub
     return (struct zr_ink){color, layout->paper, lines * layout->line, has_halo ? 1.6 * layout->line : 0.0};
 }
 
+/* Returns the median colour behind a text: backgrounds may be gradients. */
+static uint32_t paper_around(const struct zr_layout *layout, double x, double y, double width, double height)
+{
+    const struct zr_frame *frame = layout->frame;
+    const struct zr_canvas canvas = {(uint32_t *)(void *)frame->color, (int32_t)frame->width, (int32_t)frame->height};
+    return zr_canvas_median(
+        &canvas, (struct zr_box){(int32_t)x, (int32_t)(y - height), 1 + (int32_t)width, 1 + (int32_t)height});
+}
+
 void zr_layout_write(struct zr_layout *layout, const char *text, double x, double y, double height, uint32_t color,
                      bool has_halo)
 {
     const struct zr_type_place place = {floor(x + 0.5) + 0.5, floor(y + 0.5) - 0.5, height, 1.0, 0.0};
     struct zr_ink ink = zr_layout_ink(layout, color, 0.0, has_halo);
     ink.width = 0.0;
+    if (has_halo && layout->frame->color) ink.paper = paper_around(layout, x, y, zr_type_width(text, height), height);
     zr_marks_add_text(layout->marks, text, place, ink);
 }
 
