@@ -7,7 +7,6 @@
 
 #include "interruption.h"
 #include "options/memory.h"
-#include "options/parameters.h"
 #include "options/query.h"
 #include "options/wording.h"
 #include "post.h"
@@ -110,20 +109,10 @@ static void draw_here(const struct engine *engine, const struct input *input, co
     zraster_error_free(error);
 }
 
-/* Returns the name of a file without its folder; NULL for standard input. */
-static const char *file_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return strcmp(path, "-") == 0 ? NULL : slash ? slash + 1 : path;
-}
-
 void engine_draw(const struct engine *engine, const struct input *input, const struct options *options,
                  struct answer *answer)
 {
-    struct options titled = *options;
-    if (options->parameters[PARAMETER_annotate] && !options->parameters[PARAMETER_title] && !input->is_scene)
-        titled.parameters[PARAMETER_title] = file_of(input->path);
-    char *query = query_make(&titled, input->is_scene);
+    char *query = query_make(options, input->path, input->is_scene);
     *answer = (struct answer){.status = STATUS_DONE};
     if (!query) {
         bytes_print(&answer->faults, "out of memory");

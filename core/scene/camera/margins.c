@@ -4,7 +4,7 @@
 
 /* Room in heights of capitals. */
 static const double title_room = 4.6, corner_room = 4.6, edge_room = 1.0, offset = 2.6, line_room = 1.8,
-                    number_room = 3.2, letter_room = 0.8, leader_room = 3.0, axis_room = 1.0;
+                    number_room = 3.2, letter_room = 0.8, leader_room = 3.0, triad_width = 7.7, scale_height = 4.0;
 
 /* Offset of dimensions as a share of the shorter side, at least; largest room for labels as a share of the width. */
 static const double offset_share = 0.055, label_share = 0.36, most_share = 0.36;
@@ -39,21 +39,22 @@ struct zr_margins zr_view_margins(const struct zr_view *view)
     const double width = (double)view->width, height = (double)view->height, padding = (double)view->fit_padding;
     const double h = zr_margin_letters(width, height);
     const bool has_lines = zr_annotate_has(annotate, ZR_ANNOTATE_BOX) || annotate->dimension_count > 0;
-    const bool has_corners =
-        zr_annotate_has(annotate, ZR_ANNOTATE_SCALE) || zr_annotate_has(annotate, ZR_ANNOTATE_TRIAD);
+    const bool has_triad = zr_annotate_has(annotate, ZR_ANNOTATE_TRIAD),
+               has_scale = zr_annotate_has(annotate, ZR_ANNOTATE_SCALE);
     const double lines = has_lines ? fmax(offset * h, offset_share * fmin(width, height)) : 0.0;
     const struct zr_margins plain = {padding, padding, padding, padding};
     if (!zr_view_has_room(view)) return plain;
-    double side = edge_room * h + lines + (has_lines ? number_room * h : 0.0), right = side;
+    double left = edge_room * h + lines + (has_lines ? number_room * h : 0.0), right = left;
     double top = edge_room * h + lines + (has_lines ? line_room * h : 0.0), bottom = top;
     if (zr_annotate_has(annotate, ZR_ANNOTATE_TITLE)) top = fmax(top, title_room * h);
-    if (has_corners) bottom = fmax(bottom, corner_room * h);
+    if (has_triad || has_scale) bottom = fmax(bottom, corner_room * h);
+    if (has_triad && has_lines) left = fmax(left, triad_width * h);
+    if (has_scale && has_lines) bottom = fmax(bottom, scale_height * h + lines + 0.5 * line_room * h);
     if (zr_annotate_has(annotate, ZR_ANNOTATE_LABELS)) {
         const uint32_t letters = annotate->label_letters ? annotate->label_letters : LETTERS_ASSUMED;
         right += fmin((letter_room * (double)letters + leader_room) * h, label_share * width);
-        if (zr_annotate_has(annotate, ZR_ANNOTATE_TRIAD)) side = fmax(side, axis_room * h);
     }
-    const struct zr_margins all = {larger_share(padding, side, width), larger_share(padding, right, width),
+    const struct zr_margins all = {larger_share(padding, left, width), larger_share(padding, right, width),
                                    larger_share(padding, top, height), larger_share(padding, bottom, height)};
     return all;
 }
