@@ -11,7 +11,7 @@
 /* Sizes in heights of capitals. */
 static const double apart = 2.3, inside = 2.2, dot = 0.36, stub = 1.2, number_radius = 1.0, border = 1.2;
 
-enum { PARTS_MAX = 1000, DEPTH_MAX = 60000 };
+enum { PARTS_MAX = 1000, DEPTH_MAX = 60000, NAME_MAX = 200 };
 
 /* A part that is visible. */
 struct label {
@@ -236,7 +236,7 @@ static void uncross(const struct zr_layout *l, struct label *labels, uint32_t co
 /* Returns the name, cut to a width. */
 static const char *shorten(const struct zr_layout *l, const char *name, double most)
 {
-    size_t end = strlen(name);
+    size_t end = strnlen(name, NAME_MAX);
     if (zr_type_width(name, l->letters) <= most) return name;
     char *cut = zr_arena_alloc(l->arena, end + 4, 1);
     while (cut && end > 0) {
