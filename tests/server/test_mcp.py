@@ -432,6 +432,8 @@ class Http(unittest.TestCase):
             self.assertIn(f"x {view['box'][0]}..{view['box'][2]}", texts(result)[1])
         plain = self.call("render", model={"text": BOX}, annotate=False)
         self.assertNotEqual(images(plain), images(result))
+        marked = self.call("render", model={"text": BOX}, annotate=["box", "triad"])
+        self.assertNotEqual(images(marked), images(result))
         own = self.call("render", model={"text": BOX}, sheet="views", views=["front", "left", "bottom"])
         self.assertEqual([view["name"] for view in own["structuredContent"]["views"]], ["front", "left", "bottom"])
 

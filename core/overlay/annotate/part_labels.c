@@ -9,7 +9,7 @@
 #include "scene/parts/part_list.h"
 
 /* Sizes in heights of capitals. */
-static const double apart = 2.3, inside = 2.2, dot = 0.36, stub = 1.2, number_radius = 1.0, border = 1.2;
+static const double apart = 2.3, inside = 2.2, dot = 0.36, stub = 1.2, number_radius = 1.1, border = 1.2;
 
 enum { PARTS_MAX = 1000, DEPTH_MAX = 60000, NAME_MAX = 200 };
 
@@ -298,6 +298,30 @@ static void draw_label(struct zr_layout *l, const struct label *given, struct co
 
 /* ---- numbers ---- */
 
+/* Lists the numbers with names in the column, as many as have room. */
+static void draw_table(struct zr_layout *l, const struct label *labels, uint32_t count, struct column c)
+{
+    const double h = l->letters, step = 1.7 * h, from = c.x - stub * h;
+    const uint32_t lines = c.bottom > c.top ? 1 + (uint32_t)((c.bottom - c.top) / step) : 0;
+    if (c.right - from < 5.0 * h) return;
+    for (uint32_t i = 0; i < count && i < lines && !zr_is_cancelled(l->cancel); i++) {
+        char text[NAME_MAX + 32];
+        const double y = c.top + step * i + 0.5 * h;
+        if (count > lines && i + 1 == lines)
+            snprintf(text, sizeof text, "and %u more", count - i);
+        else
+            snprintf(text, sizeof text, "%u  %.*s", i + 1, NAME_MAX, labels[i].name);
+        const char *line = shorten(l, text, c.right - from);
+        const struct zr_rect rect = zr_layout_text_rect(from, y, zr_type_width(line, h), h, 0.0);
+        if (!zr_layout_is_inside(l, rect) || !zr_layout_is_background(l, rect) || !zr_layout_is_apart(l, rect))
+            continue;
+        const char *kept = zr_arena_copy(l->arena, line, strlen(line) + 1);
+        if (!kept) return;
+        zr_layout_write(l, kept, from, y, h, l->ink, true);
+        zr_layout_take_rect(l, rect);
+    }
+}
+
 static void draw_numbers(struct zr_layout *l, struct label *labels, uint32_t count,
                          const struct zr_numbered_part **numbered, uint32_t *numbered_count)
 {
@@ -307,10 +331,10 @@ static void draw_numbers(struct zr_layout *l, struct label *labels, uint32_t cou
     for (uint32_t i = 0; i < count && !zr_is_cancelled(l->cancel); i++) {
         char text[16];
         snprintf(text, sizeof text, "%u", i + 1);
-        const double width = zr_type_width(text, h), half = fmax(r, 0.5 * width + 0.45 * h);
+        const double width = zr_type_width(text, h), half = fmax(r, 0.5 * width + 0.62 * h);
         const double x = fmin(fmax(labels[i].x, half + 1.0), l->width - half - 1.0);
-        const double y = fmin(fmax(labels[i].y, r + 1.0), l->height - r - 1.0);
-        const struct zr_rect rect = {x - half, y - r, x + half, y + r};
+        const double y = fmin(fmax(labels[i].y, half + 1.0), l->height - half - 1.0);
+        const struct zr_rect rect = {x - half, y - half, x + half, y + half};
         list[i] = (struct zr_numbered_part){i + 1, labels[i].name};
         if (!zr_layout_is_apart(l, rect)) {
             zr_layout_leave_out(l, labels[i].name, "no room");
@@ -348,6 +372,7 @@ void zr_part_labels_place(struct zr_layout *l, const struct zr_numbered_part **n
     const struct column c = find_column(l, widest);
     const double step = apart * l->letters;
     if (c.right - c.x < 3.0 * l->letters || c.bottom - c.top < step * (seen - 1)) {
+        draw_table(l, labels, seen, c);
         draw_numbers(l, labels, seen, numbered, count);
         return;
     }

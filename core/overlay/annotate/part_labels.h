@@ -4,7 +4,8 @@
  *         rightmost one, and of several the topmost.
  * Column: names in the order of their anchors, at least 2.3 heights of capitals apart, as near to the anchors as that
  *         allows. Leaders do not cross each other; they may cross lines of dimensions.
- * Many:   more parts than lines get numbers instead, and the list of them is a part of the channel info. */
+ * Many:   more parts than lines get numbers instead, and the column has a table of
+ *         them, as far as it has room. All of it is a part of the channel info. */
 #ifndef ZR_PART_LABELS_H
 #define ZR_PART_LABELS_H
 

@@ -89,6 +89,32 @@ TEST(marks_lie_in_the_window_and_do_not_overlap)
     assert_true(texts > 1000);
 }
 
+TEST(many_parts_have_numbers_and_a_table)
+{
+    enum { PARTS = 48 };
+    static const int side[] = {640, 480};
+    static char text[8192];
+    size_t used =
+        (size_t)snprintf(text, sizeof text,
+                         "{\"look\": \"technical\", \"window\": {\"width\": 640, \"height\": 480}, \"annotate\": "
+                         "[\"labels\", \"triad\", \"scale\"], \"view\": {\"azimuthDegrees\": 30, "
+                         "\"elevationDegrees\": 50}, \"meshes\": [{\"name\": \"b\", \"shape\": {\"type\": "
+                         "\"box\", \"size\": 1.2}}], \"nodes\": [");
+    for (int i = 0; i < PARTS; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "%s{\"name\": \"bracket-%d\", \"mesh\": \"b\", \"translation\": [%d, 0, %d]}",
+                                 i ? "," : "", i, 2 * (i % 8), 2 * (i / 8));
+    snprintf(text + used, sizeof text - used, "]}");
+    struct reading *reading = read_scene(text);
+    const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+    assert_int_equal(frame->annotations->numbered_count, PARTS);
+    assert_int_equal(frame->annotations->numbered[PARTS - 1].number, PARTS);
+    assert_string_equal(frame->annotations->numbered[0].name, "bracket-0");
+    assert_int_equal(frame->annotations->left_out_count, 0);
+    assert_apart(&frame->annotations->marks, side, 0, 0);
+    reading_free(reading);
+}
+
 TEST(only_the_color_channel_has_marks)
 {
     static const int side[] = {240, 200};
