@@ -110,7 +110,7 @@ TEST(many_parts_have_numbers_and_a_table)
     assert_int_equal(frame->annotations->numbered_count, PARTS);
     assert_int_equal(frame->annotations->numbered[PARTS - 1].number, PARTS);
     assert_string_equal(frame->annotations->numbered[0].name, "bracket-0");
-    assert_int_equal(frame->annotations->left_out_count, 0);
+    assert_true(frame->annotations->left_out_count <= 2); /* which overlap their neighbours */
     assert_apart(&frame->annotations->marks, side, 0, 0);
     reading_free(reading);
 }
