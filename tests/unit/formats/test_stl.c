@@ -253,7 +253,7 @@ TEST(small_arena_gives_no_memory_naming_the_ceiling)
 {
     unsigned char bytes[BYTES_MAX];
     size_t size = make_binary(bytes, "x", MAX_TRIANGLES);
-    assert_true(smallest_ceiling((struct zr_request){.format = ZR_FORMAT_STL}, bytes, size, 16384) > 512);
+    assert_true(smallest_ceiling((struct zr_request){.format = ZR_FORMAT_STL}, bytes, size, 8192) > 512);
 }
 
 RUN_TESTS(NULL, NULL)
