@@ -27,6 +27,9 @@
     ROW(strict, "/query/strict", ANY, BOOL, "errors instead of warnings (default: false)")                             \
     ROW(member, "/query/member", ANY, NAME, "file to draw of a ZIP archive with several models")                       \
     ROW(colorBar, "/colorBar", ANY, BOOL, "colour bar with numbers over the picture (default: the scene's)")           \
+    ROW(annotate, "/annotate", ANY, WORDS,                                                                             \
+        "marks over the picture, with commas between them: box (dimensions), title, triad, scale, labels (of parts)")  \
+    ROW(title, "/title", ANY, NAME, "text of the title line (default: the name of the model)")                         \
     ROW(render, "/render", ANY, BOOL,                                                                                  \
         "pictures; false: only facts, by the channel info; nothing is drawn (default: true)")                          \
     ROW(visibility, "/visibility", ANY, BOOL,                                                                          \

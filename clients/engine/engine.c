@@ -112,7 +112,7 @@ static void draw_here(const struct engine *engine, const struct input *input, co
 void engine_draw(const struct engine *engine, const struct input *input, const struct options *options,
                  struct answer *answer)
 {
-    char *query = query_make(options, input->is_scene);
+    char *query = query_make(options, input->path, input->is_scene);
     *answer = (struct answer){.status = STATUS_DONE};
     if (!query) {
         bytes_print(&answer->faults, "out of memory");

@@ -13,12 +13,20 @@ static void add_escaped(struct bytes *query, const char *text)
                     (unsigned char)*text);
 }
 
-char *query_make(const struct options *options, bool is_scene)
+/* Returns the name of a file without its folder; NULL for standard input. */
+static const char *name_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return strcmp(path, "-") == 0 ? NULL : slash ? slash + 1 : path;
+}
+
+char *query_make(const struct options *options, const char *path, bool is_scene)
 {
     struct bytes query = {.data = NULL};
     bytes_print(&query, "%s", "");
     for (size_t i = 0; i < PARAMETER_COUNT; i++) {
         const char *text = options->parameters[i];
+        if (i == PARAMETER_title && !text && options->parameters[PARAMETER_annotate] && !is_scene) text = name_of(path);
         if (!text || i == PARAMETER_strict) continue;
         if (is_scene && (parameter_rows[i].of_mesh || text == options->completed)) continue;
         bytes_print(&query, "%s%s=", query.size ? "&" : "", parameter_rows[i].name);

@@ -5,7 +5,8 @@
 #include "options.h"
 
 /* Returns "look=technical&width=800", percent-encoded, to be freed; NULL without memory. Leaves out --strict: the
- * client itself turns warnings into an exit status; of a scene, also parameters for meshes. */
-char *query_make(const struct options *options, bool is_scene);
+ * client itself turns warnings into an exit status; of a scene, also parameters for meshes. The title of a model
+ * is the name of its file, unless given. */
+char *query_make(const struct options *options, const char *path, bool is_scene);
 
 #endif

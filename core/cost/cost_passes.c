@@ -13,7 +13,7 @@ static bool wants_channels(const struct zr_view *view)
 {
     for (uint32_t i = 0; i < view->output_count; i++)
         if (view->outputs[i].channel != ZR_CHANNEL_COLOR) return true;
-    return false;
+    return zr_view_annotates(view);
 }
 
 static uint32_t count_lamp_maps(const struct zr_scene *scene, const struct zr_resolved_view *resolved)

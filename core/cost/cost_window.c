@@ -20,7 +20,8 @@ enum {
     FRAGMENT_BYTES = 8,
     LAYER_SURFACE_BYTES = sizeof(struct zr_layer_surface) + 8,
     EDGE_BYTES = 7196,
-    CELL_BYTES = 8
+    CELL_BYTES = 8,
+    LABEL_BYTES = 6
 };
 
 /* True if opaque surfaces may hide layers; hidden layers take no memory, and neither do those that are cut away. */
@@ -94,5 +95,8 @@ double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_p
     if (is_lit && zr_cost_draws_lines(picture)) lines = pixels * WORD_BYTES + bytes_of_cells(view, pixels, fragments);
     const double flow = passes->has_flow ? pixels * WORD_BYTES : 0.0;
     const double masks = passes->has_masks ? bytes_of_masks(scene, pixels, fragments) : 0.0;
+    const bool has_labels = zr_annotate_fits(&view->annotate, view->width, view->height) &&
+                            zr_annotate_has(&view->annotate, ZR_ANNOTATE_LABELS);
+    if (has_labels) sum = fmax(sum, pixels * LABEL_BYTES);
     return pixels * passes->channel_words * WORD_BYTES + masks + fmax(fmax(sum, lines), flow);
 }

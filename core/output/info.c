@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "measure/combined.h"
+#include "output/annotations_json.h"
 #include "output/images/palette.h"
 #include "output/json/camera_json.h"
 #include "output/json/features_json.h"
@@ -351,6 +352,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
         const enum zr_status status = zr_masks_print(print, scene, frame, cancel);
         if (status != ZR_OK) return status;
     }
+    zr_annotations_print(print, frame->annotations);
     if (patches && face_count <= ZR_INFO_FACES_MAX) print_faces(print, patches, face_count, first);
     zr_print_begin(print, "warnings", '[');
     for (size_t i = 0; i < warnings->count; i++)

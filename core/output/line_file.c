@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "lines/line_sheet.h"
+#include "overlay/annotate/annotate.h"
 #include "output/svg.h"
 #include "scene/picture.h"
 
@@ -34,6 +35,7 @@ bool zr_line_file_write(const struct zr_scene *scene, const struct zr_frame *fra
                                .height = frame->height,
                                .pixel = sheet->pixel > 0.0 ? sheet->pixel : 1.0,
                                .unit = millimetres > 0.0 ? "mm" : "",
+                               .marks = frame->annotations ? &frame->annotations->marks : NULL,
                                .color = edges->color,
                                .paper = scene->background.w < 1.0f ? NULL : &paper};
     if (millimetres > 0.0) desc.pixel *= millimetres;

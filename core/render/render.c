@@ -8,6 +8,7 @@
 #include "base/memory_error.h"
 #include "base/run.h"
 #include "measure/combined.h"
+#include "overlay/annotate/annotate.h"
 #include "overlay/color_bar.h"
 #include "raster/textbook/algorithms.h"
 #include "render/flow.h"
@@ -137,6 +138,17 @@ static enum zr_status draw_nothing(const struct zr_run *run, const struct zr_sce
     return zr_render_sections(run, scene, resolved, frame, &drawn);
 }
 
+/* Draws what lies over the finished picture. */
+static enum zr_status draw_overlay(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
+{
+    enum zr_status status = ZR_OK;
+    if (scene->color_bar.is_on) zr_color_bar_draw(scene, frame);
+    if (zr_view_wants(frame->view, ZR_CHANNEL_COLOR))
+        STAGE(zr_annotations_make(run, scene, frame, &frame->annotations));
+    STAGE(zr_annotations_draw(run, frame->annotations, frame));
+    return status;
+}
+
 static enum zr_status draw(const struct zr_run *run, const struct zr_scene *scene,
                            const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {
@@ -147,7 +159,7 @@ static enum zr_status draw(const struct zr_run *run, const struct zr_scene *scen
     if (scene->base) STAGE(zr_base_place(run, scene, frame->view, &frame->camera, &frame->base));
     if (scene->sections.count > 0) STAGE(zr_render_sections(run, scene, resolved, frame, &drawn));
     STAGE(draw_frame(run, drawn, frame));
-    if (status == ZR_OK && drawn->color_bar.is_on) zr_color_bar_draw(drawn, frame);
+    STAGE(draw_overlay(run, drawn, frame));
     if (zr_view_wants(frame->view, ZR_CHANNEL_FRAGMENTS)) STAGE(list_fragments(run, drawn, frame));
     if (frame->sections) STAGE(zr_render_sections_restore(run->arena, run->cancel, frame));
     if (zr_view_wants(frame->view, ZR_CHANNEL_TRACE)) STAGE(zr_trace_make(run, scene, frame));
@@ -175,7 +187,7 @@ static enum zr_status draw_through_lens(const struct zr_run *run, const struct z
     STAGE(zr_render_sections_restore(run->arena, run->cancel, &pinhole));
     STAGE(zr_lens_take(run, scene, &remap, &pinhole, frame));
     if (pinhole.masks) STAGE(zr_lens_masks_take(run, &remap, pinhole.masks, frame));
-    if (status == ZR_OK) zr_color_bar_draw(scene, frame);
+    STAGE(draw_overlay(run, scene, frame));
     return status;
 }
 

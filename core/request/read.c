@@ -27,6 +27,7 @@
 #include "scene/camera/camera.h"
 #include "scene/camera/view_set.h"
 #include "scene/defaults.h"
+#include "scene/parts/part_list.h"
 #include "scene/scene_edit.h"
 #include "scene/validate.h"
 
@@ -214,6 +215,20 @@ static enum zr_status read_body(struct zr_scene_builder *builder, const struct z
     return status;
 }
 
+/* Counts the characters of the longest label of a part, for the room that a fitted view leaves. */
+static void measure_labels(struct zr_arena *arena, struct zr_scene *scene)
+{
+    enum { PARTS_MAX = 1000, LETTERS_MAX = 30, MANY = 12, NUMBER_LETTERS = 4 };
+    struct zr_annotate *annotate = &scene->views[0].annotate;
+    if (!zr_annotate_has(annotate, ZR_ANNOTATE_LABELS)) return;
+    const struct zr_part_list list = zr_part_list_make(arena, scene, PARTS_MAX);
+    for (uint32_t i = 0; i < list.count; i++) {
+        const uint32_t letters = (uint32_t)strnlen(list.at[i].name, LETTERS_MAX);
+        if (letters > annotate->label_letters) annotate->label_letters = letters;
+    }
+    if (list.count > MANY) annotate->label_letters += NUMBER_LETTERS; /* of a table */
+}
+
 static enum zr_status read_scene(const struct zr_run *run, const struct zr_request *request,
                                  const struct zr_limits *limits, const struct zr_keeping *keeping,
                                  struct zr_scene *scene)
@@ -239,6 +254,7 @@ static enum zr_status read_scene(const struct zr_run *run, const struct zr_reque
     zr_query_orient(&query);
     status = complete_sheet(request, scene, run->error);
     if (status == ZR_OK) status = edit_parts(request, &builder, run->error);
+    if (status == ZR_OK) measure_labels(run->arena, scene);
     if (status == ZR_OK) status = validate(request, scene, limits, run->error);
     if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, run->error);
     return status == ZR_OK && !fits_memory(run->arena, scene) ? ZR_NO_MEMORY : status;

@@ -53,6 +53,12 @@ static inline bool zr_view_has_pixels(const struct zr_view *view, enum zr_channe
     return false;
 }
 
+/* True if marks are drawn over the color: in windows that are large enough. */
+static inline bool zr_view_annotates(const struct zr_view *view)
+{
+    return zr_annotate_fits(&view->annotate, view->width, view->height) && zr_view_wants(view, ZR_CHANNEL_COLOR);
+}
+
 /* True if masks of instances are made. */
 static inline bool zr_view_has_masks(const struct zr_view *view)
 {
@@ -67,7 +73,8 @@ static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel cha
     return zr_view_has_pixels(view, channel) || (lists && channel == ZR_CHANNEL_WINDOW_DEPTH) ||
            (channel == ZR_CHANNEL_INSTANCE_ID && zr_view_has_masks(view)) ||
            (channel == ZR_CHANNEL_FACE_ID &&
-            (lists || zr_view_wants(view, ZR_CHANNEL_INFO) || zr_view_wants(view, ZR_CHANNEL_TRACE)));
+            (lists || zr_view_annotates(view) || zr_view_wants(view, ZR_CHANNEL_INFO) ||
+             zr_view_wants(view, ZR_CHANNEL_TRACE)));
 }
 
 /* Returns the space of the view's outputs of a channel. `view` may be NULL. */

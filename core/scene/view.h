@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "base/vec.h"
+#include "scene/annotate.h"
 
 enum zr_pose {
     ZR_POSE_PRESET,    /* fitted to the geometry */
@@ -66,6 +67,7 @@ struct zr_view {
     uint32_t output_count;
     const struct zr_output *outputs;
     bool has_visibility; /* info lists the masks of instances */
+    struct zr_annotate annotate;
 
     enum zr_pose pose;
     enum zr_preset preset;

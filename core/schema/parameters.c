@@ -38,7 +38,7 @@ static bool is(const struct row *row, const char *name)
 static bool is_list(const struct row *row)
 {
     return row->kind == ZR_PARAMETER_VECTOR || row->kind == ZR_PARAMETER_PARTS || row->kind == ZR_PARAMETER_PRESETS ||
-           row->kind == ZR_PARAMETER_PLANES || is(row, "channel");
+           row->kind == ZR_PARAMETER_WORDS || row->kind == ZR_PARAMETER_PLANES || is(row, "channel");
 }
 
 static bool is_number(const struct row *row)
@@ -65,6 +65,7 @@ static const struct zr_names *words_of(const struct row *row)
 {
     const struct zr_json_field *field = zr_parameter_field(row->pointer);
     if (row->kind == ZR_PARAMETER_PRESETS) return &zr_preset_names;
+    if (row->kind == ZR_PARAMETER_WORDS) return &zr_annotation_names;
     if (row->kind == ZR_PARAMETER_NAME_OR_FALSE) return field->object->fields[0].words;
     return field->words;
 }
@@ -120,7 +121,8 @@ static void print_items(struct zr_print *print, const struct row *row)
     zr_print_string(print, "type", "array");
     zr_print_begin(print, "items", '{');
     zr_print_string(print, "type", row->kind == ZR_PARAMETER_VECTOR ? "number" : "string");
-    if (row->kind == ZR_PARAMETER_PRESETS || is(row, "channel")) print_words(print, row);
+    if (row->kind == ZR_PARAMETER_PRESETS || row->kind == ZR_PARAMETER_WORDS || is(row, "channel"))
+        print_words(print, row);
     if (row->kind == ZR_PARAMETER_PLANES)
         zr_print_string(print, "pattern", "^[xyz](:[0-9.e+-]+(:(far|positive|negative))?)?$");
     zr_print_end(print, '}');

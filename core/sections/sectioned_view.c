@@ -4,6 +4,7 @@
 
 #include "base/cancel.h"
 #include "scene/camera/extent_view.h"
+#include "scene/camera/margins.h"
 #include "scene/picture.h"
 #include "sections/section_planes.h"
 
@@ -187,7 +188,8 @@ static bool is_fitted(const struct zr_scene *scene, const struct zr_view *view)
 {
     const bool fits = view->pose == ZR_POSE_PRESET || view->pose == ZR_POSE_DIRECTION ||
                       (view->pose == ZR_POSE_ORBIT && !(view->distance > 0.0f));
-    return scene->sections.count > 0 && scene->sections.uncut_count == 0 && fits && !view->fit_to_mesh;
+    return scene->sections.count > 0 && scene->sections.uncut_count == 0 && fits && !view->fit_to_mesh &&
+           !zr_view_fits_corners(view);
 }
 
 /* Fits the view, in the direction that it has for the whole scene. False: it cannot be fitted. */

@@ -66,6 +66,7 @@ struct zr_instance_masks {
     const struct zr_instance_mask *at;
 };
 
+struct zr_annotations; /* overlay/annotate/annotate.h */
 struct zr_trace;      /* raster/textbook/trace.h */
 struct zr_line_sheet; /* lines/line_sheet.h */
 struct zr_nocs_list;  /* shade/nocs.h */
@@ -94,6 +95,7 @@ struct zr_frame {
     struct zr_frame_parts parts;            /* only if info is wanted */
     const struct zr_combined *combined;     /* measure/combined.h; only if info of a scene with csg is wanted */
     const struct zr_instance_masks *masks;  /* only if wanted */
+    const struct zr_annotations *annotations; /* only if the view asks for some */
     const struct zr_trace *trace;           /* only if wanted */
     const struct zr_line_sheet *lines;      /* only if an SVG is wanted */
     const struct zr_sections_cut *sections; /* sections/sections.h; NULL: the scene is not cut open */

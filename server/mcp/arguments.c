@@ -48,6 +48,12 @@ static void put_presets(struct mcp_text *text, const struct mcp_host *host)
     put_quoted(text, zr_preset_names.words, (size_t)zr_preset_names.count);
 }
 
+static void put_marks(struct mcp_text *text, const struct mcp_host *host)
+{
+    (void)host;
+    put_quoted(text, zr_annotation_names.words, (size_t)zr_annotation_names.count);
+}
+
 static void put_formats(struct mcp_text *text, const struct mcp_host *host)
 {
     const struct mcp_words formats = mcp_words_of_formats();
@@ -144,9 +150,10 @@ const struct mcp_key mcp_arguments[] = {
             "may have offset (a coordinate) instead of fraction, and keep 'positive' or 'negative'."),
      NULL},
     {"annotate", MCP_DRAWING_TOOLS,
-     "{\"type\":\"boolean\",\"description\":\"Captions of a sheet: name, direction and scale of each view. Default: "
-     "true.\"}",
-     NULL},
+     "{\"anyOf\":[{\"type\":\"boolean\"},{\"type\":\"array\",\"items\":{\"enum\":[$]}}],\"description\":\"Marks over "
+     "each picture: box (dimensions of the bounds in the file's unit), title, triad (axes of the file), scale (a bar), "
+     "labels (names of parts). true or false: captions of a sheet, which are the default.\"}",
+     put_marks},
     {"width", MCP_DRAWING_TOOLS,
      SIDE(",\"description\":\"Pixels of each picture; 1024 for a sheet, 800, 640 or 512 by the number of views.\""),
      NULL},

@@ -140,6 +140,8 @@ static void put_picture(const struct mcp_job *job, const struct mcp_picture *pic
     else if (job->is_bare && !job->own[MCP_OWN_LOOK].at)
         put(head, "look", "\"studio\"");
     put_item(head, "materials", mcp_job_argument(job, "materials"));
+    item = mcp_job_argument(job, "annotate");
+    if (item && cJSON_IsArray(item)) put_item(head, "annotate", item);
     item = mcp_job_argument(job, "up");
     if (item)
         put_item(head, "up", item);

@@ -144,7 +144,7 @@ bool mcp_given_check(struct mcp_job *job)
     if (render.at && *render.at == 'f')
         mcp_fault(&job->faults, "/scene/render", "leave it out, or call facts, which draws nothing");
     if (job->own[MCP_OWN_SHEET].at && !mcp_job_argument(job, "sheet") && !mcp_job_argument(job, "views") &&
-        mcp_job_argument(job, "annotate"))
+        cJSON_IsBool(mcp_job_argument(job, "annotate")))
         mcp_fault(&job->faults, "/annotate", "the scene has a sheet: give captions there, or a sheet here");
     if (visibility.at && *visibility.at == 't')
         mcp_fault(&job->faults, "/scene/visibility",

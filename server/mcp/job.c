@@ -90,7 +90,8 @@ static void check_names(struct mcp_job *job)
         mcp_fault(&job->faults, "",
                   "other keys, such as background and lights, go into scene; a model may be beside it");
     const cJSON *annotate = mcp_job_argument(job, "annotate");
-    if (annotate && !cJSON_IsBool(annotate)) mcp_fault(&job->faults, "/annotate", "true or false is expected");
+    if (annotate && !cJSON_IsBool(annotate) && !cJSON_IsArray(annotate))
+        mcp_fault(&job->faults, "/annotate", "true or false, or a list of words, is expected");
     check_parts(job);
 }
 

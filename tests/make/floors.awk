@@ -18,7 +18,7 @@ BEGIN {
         "input/text, input/formats, input/zip, input/files, input/json, input/images input/codecs, input/model," \
         "input/gltf input/obj input/ply input/points input/stl input/threemf, input/scene, input/mesh, input/view, input/root, input/query;" \
         "geometry | mesh, mesh/facts, mesh/features | measure | sections | raster, raster/textbook | shade/lights, shade/models, shade/eye, shade, shade/channels |" \
-        "lines; effects; overlay | render/layers, render | output/bytes, output/images output/json, output | cost | request | views; schema | api", storeys, "|")
+        "lines; effects; overlay, overlay/annotate | render/layers, render | output/bytes, output/images output/json, output | cost | request | views; schema | api", storeys, "|")
     for (i = 1; i <= floors; i++) {
         n = split(storeys[i], folders, ";")
         for (k = 1; k <= n; k++) {

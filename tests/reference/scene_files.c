@@ -147,8 +147,9 @@ static enum verdict check_bytes(const struct checking *c, struct zr_arena *arena
         zr_arena_reset(arena, scene_ceiling);
         if (zr_scene_read(&(struct zr_run){.arena = arena, .error = &error}, request, &limits, &scene) != ZR_OK)
             return refused(c, path, &error);
-        struct zr_scene bare = *scene; /* no colour bar, which Mesa does not draw */
+        struct zr_scene bare = *scene; /* no colour bar and marks, which Mesa does not draw */
         bare.color_bar.is_on = false;
+        bare.views[0].annotate = (struct zr_annotate){.words = 0};
         if (!leave_solids(arena, &bare, name) || !remove_lens(arena, &bare, &error) || !open_scene(arena, &bare, &error)) return refused(c, path, &error);
         enum verdict verdict = check_view(c, &bare, name, (uint64_t)preset, &tally);
         if (verdict > worst) worst = verdict;

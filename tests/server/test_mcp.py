@@ -455,6 +455,8 @@ class Http(unittest.TestCase):
             self.assertIn(f"x {view['box'][0]}..{view['box'][2]}", texts(result)[1])
         plain = self.call("render", model={"text": BOX}, annotate=False)
         self.assertNotEqual(images(plain), images(result))
+        marked = self.call("render", model={"text": BOX}, annotate=["box", "triad"])
+        self.assertNotEqual(images(marked), images(result))
         own = self.call("render", model={"text": BOX}, sheet="views", views=["front", "left", "bottom"])
         self.assertEqual([view["name"] for view in own["structuredContent"]["views"]], ["front", "left", "bottom"])
 
@@ -660,6 +662,7 @@ class Http(unittest.TestCase):
             ("facts", ["/text", '{"model": {"text"', "give a model"], {"text": BOX}),
             ("render", ["/background", "go into scene"], {"model": box, "background": "#ffffff"}),
             ("render", ["/annotate", "true or false"], {"model": box, "annotate": "no"}),
+            ("render", ["/annotate", "boxes"], {"model": box, "annotate": ["boxes"]}),
             ("render", ["/views/0", "did you mean isometric?"], {"model": box, "views": ["iso"]}),
             ("render", ["/views/0/view/azimuth", "did you mean azimuthDegrees?"], {"model": box, "views": [{"view": {"azimuth": 30}}]}),
             ("render", ["/parts/hide/0", "did you mean block?"], {"model": box, "parts": {"hide": ["blokc"]}}),

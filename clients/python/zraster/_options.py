@@ -106,7 +106,7 @@ def _is_key(row: _Row, value: Any, is_mesh: bool) -> bool:
     if not row.name or (row.is_mesh and not is_mesh):
         return True
     is_list = isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0
-    if row.kind in ("PARTS", "PRESETS") and is_list:  # joined by commas, unless an item is an object or has a comma
+    if row.kind in ("PARTS", "PRESETS", "WORDS") and is_list:  # joined by commas, unless an item is an object or has a comma
         return _has_objects(value) or any("," in str(item) for item in value)
     return isinstance(value, AbstractMapping) or (is_list and row.kind != "VECTOR")
 

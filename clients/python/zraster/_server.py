@@ -220,7 +220,7 @@ _TEXTS = {"NAME", "COLOR", "BACKGROUND"}  # kinds of parameters whose value is t
 
 def _value(kind: str, text: str) -> Any:
     """Returns the value of a key for the text of a parameter."""
-    if kind in ("PARTS", "PRESETS"):
+    if kind in ("PARTS", "PRESETS", "WORDS"):
         return text.split(",")
     if kind == "VECTOR":
         return [float(number) for number in text.split(",")]

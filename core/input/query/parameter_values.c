@@ -249,6 +249,11 @@ static bool put_presets(const struct zr_parameter *p, const char *text, struct z
     return put_list(p, text, "a list of names of presets with commas between them", json);
 }
 
+static bool put_words(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+{
+    return put_list(p, text, "a list of words with commas between them", json);
+}
+
 typedef bool put_fn(const struct zr_parameter *p, const char *text, struct zr_json_writer *json);
 
 bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
@@ -270,6 +275,7 @@ bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_
                                       [ZR_PARAMETER_PARTS] = put_parts,
                                       [ZR_PARAMETER_PLANES] = put_planes,
                                       [ZR_PARAMETER_PRESETS] = put_presets,
+                                      [ZR_PARAMETER_WORDS] = put_words,
                                       [ZR_PARAMETER_COLOR] = put_opaque,
                                       [ZR_PARAMETER_BACKGROUND] = put_background,
                                       [ZR_PARAMETER_OUTLINE] = put_outline};

@@ -129,6 +129,23 @@ const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_COLOR_BAR] = {"colorBar", zr_read_color_bar, 0, .object = &zr_json_object_colorBar, .otherwise = "false",
                             .text = "colour bar with numbers over the picture: true, false or an object",
                             .schema = ZR_SCHEMA({"anyOf" : [ {"type" : "boolean"}, {"$ref" : "#/$defs/colorBar"} ]})},
+    [ZR_SCENE_ANNOTATE] = {"annotate", zr_read_annotate, 0, .otherwise = "[]",
+                           .text = "marks over the picture: dimensions of the box, title, triad of axes, scale bar, "
+                                   "labels of parts",
+                           .schema = ZR_SCHEMA({
+                               "type" : "array",
+                               "items" : {"enum" : [ "box", "title", "triad", "scale", "labels" ]}
+                           })},
+    [ZR_SCENE_TITLE] = {"title", zr_read_title, 0, .otherwise = "the model's name",
+                        .text = "text of the title line, which annotate draws",
+                        .schema = ZR_SCHEMA({"type" : "string"})},
+    [ZR_SCENE_DIMENSIONS] = {"dimensions", zr_read_dimensions, 0, .object = &zr_json_object_dimension,
+                             .otherwise = "[]", .text = "dimensions between places, drawn over the picture",
+                             .schema = ZR_SCHEMA({
+                                 "type" : "array",
+                                 "items" : {"$ref" : "#/$defs/dimension"},
+                                 "maxItems" : 64
+                             })},
     [ZR_SCENE_RENDER] = {"render", read_render, 0, .otherwise = "true",
                          .text = "false: only facts, by the output info; nothing is drawn",
                          .schema = ZR_SCHEMA({"type" : "boolean"})},

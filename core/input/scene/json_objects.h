@@ -24,6 +24,7 @@
     ROW(track)                                                                                                         \
     ROW(rotate)                                                                                                        \
     ROW(colorBar)                                                                                                      \
+    ROW(dimension)                                                                                                     \
     ROW(highlight)                                                                                                     \
     ROW(explode)                                                                                                       \
     ROW(csg)                                                                                                           \

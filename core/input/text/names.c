@@ -23,6 +23,7 @@ static const char *const lights[] = {ZR_LIGHT_ROWS(WORD)};
 #undef WORD
 static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
 static const char *const axes[] = {"y", "z"};
+static const char *const annotations[] = {"box", "title", "triad", "scale", "labels"};
 static const char *const mesh_axes[] = {"x", "-x", "y", "-y", "z", "-z", "auto"};
 static const char *const colormaps[] = {"viridis", "turbo", "gray", "coolwarm"};
 static const char *const compressions[] = {"fast", "small"};
@@ -35,6 +36,7 @@ const struct zr_names zr_preset_names = ZR_NAMES(ZR_PRESET_COUNT, presets);
 const struct zr_names zr_algorithm_names = ZR_NAMES(ZR_ALGORITHM_COUNT, algorithms);
 const struct zr_names zr_light_names = ZR_NAMES(ZR_LIGHT_TYPE_COUNT, lights);
 const struct zr_names zr_up_names = ZR_NAMES(2, axes);
+const struct zr_names zr_annotation_names = ZR_NAMES(ZR_ANNOTATE_COUNT, annotations);
 const struct zr_names zr_mesh_up_names = ZR_NAMES(ZR_MESH_UP_COUNT, mesh_axes);
 const struct zr_names zr_colormap_names = ZR_NAMES(ZR_COLORMAP_COUNT, colormaps);
 const struct zr_names zr_compress_names = ZR_NAMES(ZR_COMPRESS_COUNT, compressions);

@@ -53,6 +53,7 @@ extern const struct zr_names zr_preset_names;     /* enum zr_preset */
 extern const struct zr_names zr_algorithm_names;  /* enum zr_algorithm */
 extern const struct zr_names zr_light_names;      /* enum zr_light_type */
 extern const struct zr_names zr_up_names;         /* the up axis: y, z */
+extern const struct zr_names zr_annotation_names; /* enum zr_annotation */
 extern const struct zr_names zr_mesh_up_names;    /* enum zr_mesh_up */
 extern const struct zr_names zr_colormap_names;   /* enum zr_colormap */
 extern const struct zr_names zr_compress_names;   /* enum zr_compress */

@@ -2,6 +2,7 @@
 #include <float.h>
 
 #include "scene/camera/camera_parts.h"
+#include "scene/camera/margins.h"
 
 /* Inputs of a perspective fit. `size`: diagonal of the bounds; `rounding`: error of a coordinate, zr_rounding_of. */
 struct fitting {
@@ -122,6 +123,16 @@ static void find_extent_along(const struct zr_points *points, const struct zr_ax
         if (most[k] == -HUGE_VAL) most[k] = 0.0;
 }
 
+/* Moves the eye so that margins that differ are free. `x`, `y`: half sizes of the points. */
+static void move_to_margins(const struct zr_view *view, double x, double y, struct zr_axes *axes)
+{
+    const struct zr_margins free = zr_view_margins(view);
+    const double aspect = (double)view->width / (double)view->height;
+    const double ymag = fmax(y / (1.0 - free.top - free.bottom), x / aspect / (1.0 - free.left - free.right));
+    axes->eye = zr_dvec3_add_scaled(axes->eye, axes->right, (free.right - free.left) * ymag * aspect);
+    axes->eye = zr_dvec3_add_scaled(axes->eye, axes->up, (free.top - free.bottom) * ymag);
+}
+
 /* Without perspective, the distance does not change the picture: the eye is one diagonal of the bounds in front of the
  * nearest point of the whole scene. free: centres the eye on the fitted points. */
 static void fit_parallel(const struct zr_points *fitted, double size, bool free, struct zr_axes *axes)
@@ -132,12 +143,16 @@ static void fit_parallel(const struct zr_points *fitted, double size, bool free,
     if (fitted->view->fit_to_mesh) {
         struct zr_points all = *fitted;
         all.fitted_only = false;
+        all.corners = NULL;
         find_extent_along(&all, axes, of_all);
         nearest = of_all[ZR_SLOPE_NEAR];
     }
     if (free) {
         axes->eye = zr_dvec3_add_scaled(axes->eye, axes->right, (most[ZR_SLOPE_RIGHT] - most[ZR_SLOPE_LEFT]) * 0.5);
         axes->eye = zr_dvec3_add_scaled(axes->eye, axes->up, (most[ZR_SLOPE_TOP] - most[ZR_SLOPE_BOTTOM]) * 0.5);
+        if (zr_view_has_room(fitted->view) && !(fitted->view->xmag > 0.0f))
+            move_to_margins(fitted->view, (most[ZR_SLOPE_RIGHT] + most[ZR_SLOPE_LEFT]) * 0.5,
+                            (most[ZR_SLOPE_TOP] + most[ZR_SLOPE_BOTTOM]) * 0.5, axes);
     }
     axes->eye = zr_dvec3_add_scaled(axes->eye, axes->back, nearest + size);
 }
@@ -148,6 +163,7 @@ enum zr_status zr_fit_eye(const struct zr_points *points, const struct zr_bounds
     const struct zr_view *view = points->view;
     struct zr_points fitted = *points;
     fitted.fitted_only = true;
+    if (zr_view_fits_corners(view) && bounds->valid) fitted.corners = bounds;
     bool free = view->pose != ZR_POSE_ORBIT || !view->has_target;
     zr_dvec3 min = zr_dvec3_of(bounds->min), max = zr_dvec3_of(bounds->max);
     if (!free)

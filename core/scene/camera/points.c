@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "scene/camera/camera.h"
+
 /* Least points of a claim, a fraction of a millisecond of work; claims per thread. */
 enum { POINTS_PER_RANGE = 1 << 14, RANGES_PER_THREAD = 8 };
 
@@ -96,9 +98,29 @@ static void search_range(void *context, int worker, size_t begin, size_t end)
     }
 }
 
+/* Measures the corners of the bounds. */
+static void search_corners(const struct zr_points *points, zr_points_measure_fn *measure, const void *context,
+                           double most[ZR_MEASURES])
+{
+    const zr_vec3 ends[2] = {points->corners->min, points->corners->max};
+    zr_vec4 corners[8];
+    for (int i = 0; i < 8; i++)
+        corners[i] = (zr_vec4){ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2].z, 1.0f};
+    if (points->world_to_eye) transform_all(points->world_to_eye, corners, 8, corners);
+    for (int k = 0; k < ZR_MEASURES; k++)
+        most[k] = -HUGE_VAL;
+    measure(context, zr_team_isa(points->team), corners, 8, most);
+    for (int k = 0; k < ZR_MEASURES; k++)
+        most[k] += 0.0; /* makes -0 positive */
+}
+
 void zr_points_most(const struct zr_points *points, zr_points_measure_fn *measure, const void *context,
                     double most[ZR_MEASURES])
 {
+    if (points->corners) {
+        search_corners(points, measure, context, most);
+        return;
+    }
     struct found found[ZR_TEAM_MAX];
     struct search search = {points, measure, context, found};
     const size_t count = count_points(points), threads = (size_t)zr_team_size(points->team);

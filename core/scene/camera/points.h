@@ -12,6 +12,8 @@
 #include "core.h"
 #include "scene/scene.h"
 
+struct zr_bounds;
+
 /* Selects points, their space and the threads. */
 struct zr_points {
     const struct zr_scene *scene;
@@ -20,6 +22,7 @@ struct zr_points {
     const struct zr_cancel *cancel; /* may be NULL; if cancelled, the search returns its maxima so far */
     bool fitted_only;               /* points of the fitted mesh only, if the view names one */
     bool with_hidden;               /* also points of elements that are not shown, and of tools */
+    const struct zr_bounds *corners; /* eight points instead of those of the scene; NULL: none */
     const zr_mat4 *world_to_eye;    /* points in eye space, in the same floats as drawing; NULL: in world space */
 };
 

@@ -1,6 +1,7 @@
 /* Projection matrix, with near and far plane, of a view. */
 #include "base/trig.h"
 #include "scene/camera/camera_parts.h"
+#include "scene/camera/margins.h"
 
 /* ---- visible range ---- */
 
@@ -33,18 +34,18 @@ struct zr_intrinsics zr_view_intrinsics(const struct zr_view *view)
 
 struct zr_opening zr_opening_of(const struct zr_view *view)
 {
-    double padding = (double)view->fit_padding;
+    const struct zr_margins free = zr_view_margins(view);
     if (view->projection != ZR_PROJECTION_INTRINSICS) {
         struct tangents t = tangents_of(view);
-        double room = 1.0 - 2.0 * padding;
-        return (struct zr_opening){-t.x * room, t.x * room, -t.y * room, t.y * room, 0.0};
+        return (struct zr_opening){-t.x * (1.0 - 2.0 * free.left), t.x * (1.0 - 2.0 * free.right),
+                                   -t.y * (1.0 - 2.0 * free.bottom), t.y * (1.0 - 2.0 * free.top), 0.0};
     }
     struct zr_intrinsics k = zr_view_intrinsics(view);
     double width = (double)view->width, height = (double)view->height;
-    return (struct zr_opening){.left = (width * padding - k.cx) / k.fx,
-                               .right = (width * (1.0 - padding) - k.cx) / k.fx,
-                               .bottom = (k.cy - height * (1.0 - padding)) / k.fy,
-                               .top = (k.cy - height * padding) / k.fy,
+    return (struct zr_opening){.left = (width * free.left - k.cx) / k.fx,
+                               .right = (width * (1.0 - free.right) - k.cx) / k.fx,
+                               .bottom = (k.cy - height * (1.0 - free.bottom)) / k.fy,
+                               .top = (k.cy - height * free.top) / k.fy,
                                .shear = k.skew / k.fx};
 }
 
@@ -53,6 +54,21 @@ static void grow_to_window(const struct zr_view *view, double x, double y, doubl
 {
     double aspect = (double)view->width / (double)view->height;
     *ymag = fmax(y, x / aspect) / (1.0 - 2.0 * (double)view->fit_padding);
+    if (!(*ymag > 0.0)) *ymag = 1.0;
+    *xmag = *ymag * aspect;
+}
+
+/* Finds the half sizes of a window that holds the extent and its margins, which may differ. */
+static void grow_to_margins(const struct zr_view *view, const struct zr_extent *e, double rounding, double *xmag,
+                            double *ymag)
+{
+    const struct zr_margins free = zr_view_margins(view);
+    const double aspect = (double)view->width / (double)view->height;
+    const double x =
+        fmax((rounding - e->min.x) / (1.0 - 2.0 * free.left), (rounding + e->max.x) / (1.0 - 2.0 * free.right));
+    const double y =
+        fmax((rounding - e->min.y) / (1.0 - 2.0 * free.bottom), (rounding + e->max.y) / (1.0 - 2.0 * free.top));
+    *ymag = fmax(y, x / aspect);
     if (!(*ymag > 0.0)) *ymag = 1.0;
     *xmag = *ymag * aspect;
 }
@@ -147,7 +163,13 @@ enum zr_status zr_camera_project(const struct zr_points *points, const struct zr
         return ZR_OK;
     }
     double xmag = (double)view->xmag, ymag = (double)view->ymag, rounding = zr_rounding_of(fitted, moved);
-    if (!(xmag > 0.0) || !(ymag > 0.0))
+    const bool is_fitted = !(xmag > 0.0) || !(ymag > 0.0);
+    if (is_fitted && zr_view_has_room(view)) {
+        struct zr_points seen = *points;
+        if (zr_view_fits_corners(view) && fitted->valid) seen.corners = fitted;
+        e = zr_extent_in_eye_space(&seen, &camera->world_to_eye, true);
+        grow_to_margins(view, &e, rounding, &xmag, &ymag);
+    } else if (is_fitted)
         grow_to_window(view, fmax(fabs(e.min.x), fabs(e.max.x)) + rounding,
                        fmax(fabs(e.min.y), fabs(e.max.y)) + rounding, &xmag, &ymag);
     camera->projection = orthographic(xmag, ymag, n, f);

@@ -17,7 +17,7 @@ enum zr_status zr_whole_view_find(const struct zr_run *run, const struct zr_scen
     *out = resolved;
     if (!resolved) return ZR_NO_MEMORY;
     resolved->view = view;
-    if (zr_view_needs_bounds(view) || zr_view_wants(view, ZR_CHANNEL_INFO) || scene->picture->is_linear ||
+    if (zr_view_needs_bounds(view) || zr_view_wants(view, ZR_CHANNEL_INFO) || zr_view_annotates(view) || scene->picture->is_linear ||
         scene->sections.count > 0)
         resolved->bounds = zr_bounds_of(scene, run->team, run->cancel);
     const enum zr_status status = zr_camera_resolve(run, scene, view, &resolved->bounds, &resolved->camera);

@@ -247,7 +247,7 @@ TEST(vertex_colors_are_read_and_white_elsewhere)
 TEST(small_arena_gives_no_memory_naming_the_ceiling)
 {
     static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1";
-    assert_true(smallest_ceiling((struct zr_request){.format = ZR_FORMAT_OBJ}, text, strlen(text), 8192) > 512);
+    assert_true(smallest_ceiling((struct zr_request){.format = ZR_FORMAT_OBJ}, text, strlen(text), 16384) > 512);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -1,0 +1,53 @@
+/* annotate.h - scene: dimensions, labels and other marks over the output color (overlay/annotate). */
+#ifndef ZR_SCENE_ANNOTATE_H
+#define ZR_SCENE_ANNOTATE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/vec.h"
+
+enum zr_annotation {
+    ZR_ANNOTATE_BOX,    /* dimensions of the bounds, along the axes */
+    ZR_ANNOTATE_TITLE,  /* name, size and unit */
+    ZR_ANNOTATE_TRIAD,  /* axes of the file */
+    ZR_ANNOTATE_SCALE,  /* scale bar of parallel views */
+    ZR_ANNOTATE_LABELS, /* names of parts, with leader lines */
+    ZR_ANNOTATE_COUNT
+};
+
+/* Below this side, pixels, nothing is annotated. */
+enum { ZR_ANNOTATE_SIDE = 200, ZR_DIMENSIONS_MAX = 64 };
+
+/* A dimension between two places. */
+struct zr_dimension {
+    zr_vec3 from, to;
+    int along;         /* 0 to 2: the distance along this axis of the file; -1: the distance */
+    const char *label; /* instead of the length, UTF-8; NULL: none */
+};
+
+struct zr_annotate {
+    uint32_t words;    /* bit i: enum zr_annotation i */
+    const char *title; /* NULL: names of the scene */
+    uint32_t dimension_count;
+    const struct zr_dimension *dimensions;
+    uint32_t label_letters; /* characters of the longest label of a part; 0: unknown, some are assumed */
+};
+
+static inline bool zr_annotate_has(const struct zr_annotate *annotate, enum zr_annotation word)
+{
+    return annotate->words >> word & 1u;
+}
+
+static inline bool zr_annotate_is_on(const struct zr_annotate *annotate)
+{
+    return annotate->words != 0 || annotate->dimension_count > 0;
+}
+
+/* True if a window of these sides has marks. */
+static inline bool zr_annotate_fits(const struct zr_annotate *annotate, uint32_t width, uint32_t height)
+{
+    return zr_annotate_is_on(annotate) && width >= ZR_ANNOTATE_SIDE && height >= ZR_ANNOTATE_SIDE;
+}
+
+#endif

@@ -1,0 +1,189 @@
+/* Marks over the picture: they lie in the window, do not overlap, and are the same by any number of threads. */
+#include "overlay/annotate/annotate.h"
+
+#include "overlay/annotate/length_text.h"
+#include "support/scenes.h"
+#include "support/tests.h"
+#include "unit/common/json_check.h"
+
+static const char *const models[] = {
+    "{\"type\": \"box\", \"size\": [3, 2, 1]}",
+    "{\"type\": \"box\", \"size\": [300, 20, 10]}",
+    "{\"type\": \"box\", \"size\": [0.04, 2, 0.4]}",
+    "{\"type\": \"box\", \"size\": [117.25, 118.5, 3]}",
+    "{\"type\": \"sphere\", \"radius\": 1.25}",
+    "{\"type\": \"cylinder\", \"radius\": 0.3, \"height\": 7}",
+    "{\"type\": \"cylinder\", \"radius\": 40, \"height\": 1}",
+    "{\"type\": \"cone\", \"radius\": 4, \"height\": 3}",
+    "{\"type\": \"torus\", \"radius\": 2, \"tube\": 0.5}",
+    "{\"type\": \"box\", \"size\": [1e-4, 2e-4, 3e-4]}",
+    "{\"type\": \"box\", \"size\": [12345, 23456, 3456]}",
+    "{\"type\": \"cylinder\", \"radius\": 1, \"height\": 1, \"segments\": 6}",
+};
+enum { MODELS = sizeof models / sizeof *models };
+static const char *const presets[] = {"\"isometric\"", "\"front\"",
+                                      "{\"azimuthDegrees\": 35, \"elevationDegrees\": 20}"};
+static const int sides[][2] = {{640, 480}, {256, 256}, {200, 400}, {900, 300}};
+
+static struct reading *read_marked(const char *shape, const char *view, const int side[2], const char *more)
+{
+    char text[1024];
+    snprintf(text, sizeof text,
+             "{\"look\": \"studio\", \"window\": {\"width\": %d, \"height\": %d}, \"view\": %s, "
+             "\"meshes\": [{\"name\": \"part\", \"shape\": %s}], %s}",
+             side[0], side[1], view, shape, more);
+    return read_scene(text);
+}
+
+static struct zr_rect rect_of(const struct zr_mark *mark)
+{
+    const struct zr_type_place p = mark->place;
+    return zr_layout_text_rect(p.x, p.y, zr_type_width(mark->text, p.height), p.height, 0.0);
+}
+
+static void assert_apart(const struct zr_marks *marks, const int side[2], int model, int preset)
+{
+    for (uint32_t i = 0; i < marks->count; i++) {
+        if (marks->at[i].kind != ZR_MARK_TEXT) continue;
+        const struct zr_rect a = rect_of(&marks->at[i]);
+        if (a.x0 < 0 || a.y0 < 0 || a.x1 > side[0] || a.y1 > side[1])
+            fail_msg("model %d, view %d, %d x %d: %s is cut off", model, preset, side[0], side[1], marks->at[i].text);
+        for (uint32_t k = 0; k < marks->count; k++) {
+            const struct zr_mark *other = &marks->at[k];
+            if (k < i && other->kind == ZR_MARK_TEXT) {
+                const struct zr_rect b = rect_of(other);
+                if (a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1)
+                    fail_msg("model %d, view %d, %d x %d: %s and %s overlap", model, preset, side[0], side[1],
+                             marks->at[i].text, other->text);
+            }
+            if (other->kind != ZR_MARK_LINES) continue;
+            for (uint32_t n = 1; n < other->path.ends[0]; n++) {
+                const struct zr_segment line = {other->path.points[n - 1], other->path.points[n]};
+                if (zr_layout_line_meets(line, a))
+                    fail_msg("model %d, view %d, %d x %d: a line crosses %s", model, preset, side[0], side[1],
+                             marks->at[i].text);
+            }
+        }
+    }
+}
+
+TEST(marks_lie_in_the_window_and_do_not_overlap)
+{
+    uint32_t texts = 0, left_out = 0;
+    for (int m = 0; m < MODELS; m++)
+        for (int p = 0; p < 3; p++)
+            for (size_t s = 0; s < sizeof sides / sizeof *sides; s++) {
+                struct reading *reading =
+                    read_marked(models[m], presets[p], sides[s],
+                                "\"title\": \"part.stl\", \"annotate\": [\"box\", \"title\", \"triad\", \"scale\", "
+                                "\"labels\"], \"dimensions\": [{\"from\": [0, 0, 0], \"to\": [1, 1, 1]}]");
+                const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+                assert_non_null(frame->annotations);
+                assert_apart(&frame->annotations->marks, sides[s], m, p);
+                for (uint32_t i = 0; i < frame->annotations->marks.count; i++)
+                    texts += frame->annotations->marks.at[i].kind == ZR_MARK_TEXT;
+                left_out += frame->annotations->left_out_count;
+                reading_free(reading);
+            }
+    print_message("%u texts, %u left out\n", texts, left_out);
+    assert_true(texts > 1000);
+}
+
+TEST(many_parts_have_numbers_and_a_table)
+{
+    enum { PARTS = 48 };
+    static const int side[] = {640, 480};
+    static char text[8192];
+    size_t used =
+        (size_t)snprintf(text, sizeof text,
+                         "{\"look\": \"technical\", \"window\": {\"width\": 640, \"height\": 480}, \"annotate\": "
+                         "[\"labels\", \"triad\", \"scale\"], \"view\": {\"azimuthDegrees\": 30, "
+                         "\"elevationDegrees\": 50}, \"meshes\": [{\"name\": \"b\", \"shape\": {\"type\": "
+                         "\"box\", \"size\": 1.2}}], \"nodes\": [");
+    for (int i = 0; i < PARTS; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "%s{\"name\": \"bracket-%d\", \"mesh\": \"b\", \"translation\": [%d, 0, %d]}",
+                                 i ? "," : "", i, 2 * (i % 8), 2 * (i / 8));
+    snprintf(text + used, sizeof text - used, "]}");
+    struct reading *reading = read_scene(text);
+    const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+    assert_int_equal(frame->annotations->numbered_count, PARTS);
+    assert_int_equal(frame->annotations->numbered[PARTS - 1].number, PARTS);
+    assert_string_equal(frame->annotations->numbered[0].name, "bracket-0");
+    assert_true(frame->annotations->left_out_count <= 2); /* which overlap their neighbours */
+    assert_apart(&frame->annotations->marks, side, 0, 0);
+    reading_free(reading);
+}
+
+TEST(only_the_color_channel_has_marks)
+{
+    static const int side[] = {240, 200};
+    static const char outputs[] = "\"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}, {\"channel\": "
+                                  "\"faceId\"}, {\"channel\": \"normals\"}]";
+    char on[512];
+    snprintf(on, sizeof on, "\"annotate\": [\"triad\"], %s", outputs);
+    static const char view[] = "{\"eye\": [3, 4, 5], \"target\": [0, 0, 0]}";
+    struct reading *a = read_marked(models[0], view, side, outputs), *b = read_marked(models[0], view, side, on);
+    const struct zr_frame *plain = scene_render(&a->arena, NULL, a->scene);
+    const struct zr_frame *marked = scene_render(&b->arena, NULL, b->scene);
+    assert_null(plain->annotations);
+    assert_memory_not_equal(plain->color, marked->color, 4 * 240 * 200);
+    for (int c = ZR_CHANNEL_COLOR + 1; c < ZR_CHANNEL_COUNT; c++)
+        if (plain->channels[c])
+            assert_memory_equal(plain->channels[c], marked->channels[c], 4 * 240 * 200 * zr_channel_rows[c].words);
+    reading_free(a);
+    reading_free(b);
+}
+
+TEST(small_windows_have_no_marks_but_a_list)
+{
+    static const int side[] = {199, 300};
+    struct reading *reading = read_marked(models[0], presets[0], side, "\"annotate\": [\"box\", \"title\"]");
+    const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+    assert_int_equal(frame->annotations->marks.count, 0);
+    assert_int_equal(frame->annotations->left_out_count, 2);
+    assert_string_equal(frame->annotations->left_out[0].what, "box");
+    reading_free(reading);
+}
+
+TEST(lengths_have_four_digits_that_count)
+{
+    static const struct {
+        double length, largest;
+        const char *unit, *text;
+    } cases[] = {{3, 3, "", "3"},
+                 {1.9890437, 2, "", "1.989"},
+                 {0.42, 2, "", "0.42"},
+                 {118.25, 118.25, "mm", "118.3 mm"},
+                 {39.999996, 40, "mm", "40 mm"},
+                 {0.0236, 0.05, "m", "0.0236 m"},
+                 {0.00012, 2, "", "0"},
+                 {12345.6, 12345.6, "", "12346"},
+                 {0, 0, "", "0"},
+                 {2.5e20, 2.5e20, "", "2.5e20"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[ZR_LENGTH_SIZE];
+        zr_length_write(cases[i].length, cases[i].largest, cases[i].unit, text);
+        assert_string_equal(text, cases[i].text);
+    }
+    int digit;
+    assert_true(zr_length_round(0.7, &digit) == 0.5 && digit == 5);
+    assert_true(zr_length_round(39, &digit) == 20.0 && digit == 2);
+    assert_true(zr_length_round(1, &digit) == 1.0 && digit == 1);
+}
+
+TEST(wrong_words_and_dimensions_are_refused)
+{
+    static const char *const wrong[] = {"\"annotate\": [\"boxes\"]", "\"annotate\": \"box\"", "\"title\": 3",
+                                        "\"dimensions\": [{\"from\": [0, 0, 0]}]",
+                                        "\"dimensions\": [{\"from\": [0, 0, 0], \"to\": [0, 0, 1], \"along\": \"w\"}]"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char text[512];
+        snprintf(text, sizeof text, "{\"meshes\": [{\"shape\": {\"type\": \"box\", \"size\": 1}}], %s}", wrong[i]);
+        struct reading *reading = read_text(ZR_FORMAT_JSON, text);
+        assert_int_equal(reading->status, ZR_BAD_SCENE);
+        reading_free(reading);
+    }
+}
+
+RUN_TESTS(NULL, NULL)
