@@ -124,10 +124,13 @@ static void make_plain(struct zr_material *material)
  * solids. */
 static bool leave_solids(struct zr_arena *arena, struct zr_scene *scene, const char *name)
 {
+    struct zr_scene plain;
     if (!scene->csg) return true;
     fprintf(stderr, "LEFT OUT: %s: its solids; its operands are drawn as meshes\n", name);
+    if (!zr_scene_edit_materials(arena, scene, make_plain, &plain)) return false;
+    *scene = plain;
     scene->csg = NULL;
-    return zr_scene_edit_materials(arena, scene, make_plain, scene);
+    return true;
 }
 
 /* One scene, or one mesh from each view wanted. */
@@ -150,7 +153,9 @@ static enum verdict check_bytes(const struct checking *c, struct zr_arena *arena
         struct zr_scene bare = *scene; /* no colour bar and marks, which Mesa does not draw */
         bare.color_bar.is_on = false;
         bare.views[0].annotate = (struct zr_annotate){.words = 0};
-        if (!leave_solids(arena, &bare, name) || !remove_lens(arena, &bare, &error) || !open_scene(arena, &bare, &error)) return refused(c, path, &error);
+        if (!leave_solids(arena, &bare, name) || !remove_lens(arena, &bare, &error) ||
+            !open_scene(arena, &bare, &error))
+            return refused(c, path, &error);
         enum verdict verdict = check_view(c, &bare, name, (uint64_t)preset, &tally);
         if (verdict > worst) worst = verdict;
     }
