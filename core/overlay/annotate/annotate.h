@@ -1,4 +1,4 @@
-/* annotate.h - overlay/annotate: dimensions, labels, title, triad and scale bar of a finished frame.
+/* annotate.h - overlay: dimensions, labels, title, triad and scale bar of a finished frame.
  *
  * Input:  the camera, the bounds and the faces per pixel of a frame; words, title and dimensions of its view. Numbers
  *         and axes are those of the file, not of the world that a bare mesh is turned to.

@@ -1,4 +1,4 @@
-/* box_dimensions.h - overlay/annotate: dimensions of the bounds along the axes of the file, and given dimensions. */
+/* box_dimensions.h - overlay: dimensions of the bounds along the axes of the file, and given dimensions. */
 #ifndef ZR_BOX_DIMENSIONS_H
 #define ZR_BOX_DIMENSIONS_H
 

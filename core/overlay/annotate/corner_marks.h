@@ -1,4 +1,4 @@
-/* corner_marks.h - overlay/annotate: title line, triad of axes and scale bar, in corners of the window. */
+/* corner_marks.h - overlay: title line, triad of axes and scale bar, in corners of the window. */
 #ifndef ZR_CORNER_MARKS_H
 #define ZR_CORNER_MARKS_H
 

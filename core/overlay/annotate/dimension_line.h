@@ -1,4 +1,4 @@
-/* dimension_line.h - overlay/annotate: a line of dimension: extension lines, arrow heads and a text. */
+/* dimension_line.h - overlay: a line of dimension: extension lines, arrow heads and a text. */
 #ifndef ZR_DIMENSION_LINE_H
 #define ZR_DIMENSION_LINE_H
 

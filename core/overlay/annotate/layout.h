@@ -1,4 +1,4 @@
-/* layout.h - overlay/annotate: the picture to be annotated, its marks so far, and the places that they take.
+/* layout.h - overlay: the picture to be annotated, its marks so far, and the places that they take.
  *
  * Space:  pixels of the window, y downwards, as overlay/pen.h. The world's places are projected in doubles.
  * Free:   texts lie inside the window, on background, and apart from other texts and lines; lines cross no text and no

@@ -1,4 +1,4 @@
-/* length_text.h - overlay/annotate: lengths as text.
+/* length_text.h - overlay: lengths as text.
  *
  * Digits: four that count, and at most three decimals; more only if the largest length beside it is below 1. Zeros at
  *         the end go. Powers of ten are products in a fixed order: the text is the same everywhere. */

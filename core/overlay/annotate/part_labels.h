@@ -1,4 +1,4 @@
-/* part_labels.h - overlay/annotate: names of parts in a column at the right, with leader lines.
+/* part_labels.h - overlay: names of parts in a column at the right, with leader lines.
  *
  * Anchor: of the pixels of a part that lie at least 2.2 heights of capitals inside of it, or as deep as it is, the
  *         rightmost one, and of several the topmost.

@@ -1,4 +1,4 @@
-/* place_dimensions.h - overlay/annotate: the dimensions of a view between given places. */
+/* place_dimensions.h - overlay: the dimensions of a view between given places. */
 #ifndef ZR_PLACE_DIMENSIONS_H
 #define ZR_PLACE_DIMENSIONS_H
 
