@@ -57,6 +57,7 @@ struct zr_solid_walk {
     struct step *steps;         /* fragments of one place of the list whose order must be found */
     uint32_t room;              /* capacity of steps */
     uint32_t unchecked;         /* fragments since the last look at `cancel` */
+    bool is_stopped;            /* cancelled: what is found is undefined */
     int32_t windings[ZR_CSG_PARTS_MAX];
     struct last last;
     uint64_t insides[REMEMBERED_VALUES]; /* values of the tree that were found last; one slot per hash */
@@ -65,6 +66,16 @@ struct zr_solid_walk {
     enum kind kinds[REMEMBERED_VALUES];
     struct face faces[REMEMBERED];
 };
+
+/* Counts passed fragments. False if the request is cancelled, which is looked at once in a while. */
+static bool goes_on(struct zr_solid_walk *walk, uint32_t count)
+{
+    walk->unchecked += count;
+    if (walk->unchecked < FRAGMENTS_PER_CANCEL_CHECK) return !walk->is_stopped;
+    walk->unchecked = 0;
+    walk->is_stopped = walk->is_stopped || zr_is_cancelled(walk->cancel);
+    return !walk->is_stopped;
+}
 
 /* ---- faces ---- */
 
@@ -128,11 +139,11 @@ static void sift(struct step *steps, uint32_t root, uint32_t count)
 }
 
 /* Heap sort: in place, and never quadratic. */
-static void sort(struct step *steps, uint32_t count)
+static void sort(struct zr_solid_walk *walk, struct step *steps, uint32_t count)
 {
-    for (uint32_t i = count / 2; i-- > 0;)
+    for (uint32_t i = count / 2; i-- > 0 && goes_on(walk, 1);)
         sift(steps, i, count);
-    for (uint32_t last = count; last-- > 1;) {
+    for (uint32_t last = count; last-- > 1 && goes_on(walk, 1);) {
         const struct step step = steps[0];
         steps[0] = steps[last];
         steps[last] = step;
@@ -152,9 +163,9 @@ static uint32_t cluster_end(const uint64_t *keys, uint32_t first, uint32_t count
 /* Orders the fragments first .. end - 1 along the ray. A fragment without a close neighbour has no depth. */
 static void order(struct zr_solid_walk *walk, const uint64_t *keys, uint32_t first, uint32_t end)
 {
-    for (uint32_t i = first; i < end; i++)
+    for (uint32_t i = first; i < end && goes_on(walk, 1); i++)
         walk->steps[i - first] = (struct step){end > first + 1 ? depth_at(walk, keys[i]) : 0.0, keys[i]};
-    if (end > first + 1) sort(walk->steps, end - first);
+    if (end > first + 1) sort(walk, walk->steps, end - first);
 }
 
 /* ---- the walk ---- */
@@ -165,7 +176,7 @@ static uint64_t begin(struct zr_solid_walk *walk, const uint64_t *keys, uint32_t
     uint64_t inside = 0;
     *parts = 0;
     memset(walk->windings, 0, walk->csg->part_count * sizeof *walk->windings);
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count && goes_on(walk, 1); i++) {
         const struct face *face = face_of(walk, keys[i]);
         walk->windings[face->part] -= face->turn;
         *parts |= UINT64_C(1) << face->part;
@@ -225,7 +236,7 @@ static uint32_t group_end(const struct zr_solid_walk *walk, uint32_t first, uint
 /* Passes the ordered fragments. Returns the key of the one where the value of the tree is no longer `value`, or 0. */
 static uint64_t pass_steps(struct zr_solid_walk *walk, uint32_t count, bool value, uint64_t *inside)
 {
-    for (uint32_t first = 0, end; first < count; first = end) {
+    for (uint32_t first = 0, end; first < count && goes_on(walk, 1); first = end) {
         uint64_t behind = *inside;
         end = group_end(walk, first, count);
         for (uint32_t i = first; i < end; i++)
@@ -276,7 +287,7 @@ static uint64_t find_visible(struct zr_solid_walk *walk, const uint64_t *keys, u
     const enum kind kind = kind_of(walk, parts);
     if (kind != MIXED) return kind == ANY ? keys[0] : 0;
     const bool value = value_of(walk, inside);
-    for (uint32_t first = 0, end; first < count && seen == 0; first = end) {
+    for (uint32_t first = 0, end; first < count && seen == 0 && !walk->is_stopped; first = end) {
         end = cluster_end(keys, first, count);
         order(walk, keys, first, end);
         seen = pass_steps(walk, end - first, value, &inside);
@@ -322,15 +333,6 @@ static uint64_t seen_of(struct zr_solid_walk *walk, const uint64_t *keys, uint32
     return seen;
 }
 
-/* True if the work since the last look is worth another one, and the request is cancelled. */
-static bool is_stopped(struct zr_solid_walk *walk, uint32_t count)
-{
-    walk->unchecked += count;
-    if (walk->unchecked < FRAGMENTS_PER_CANCEL_CHECK) return false;
-    walk->unchecked = 0;
-    return zr_is_cancelled(walk->cancel);
-}
-
 static bool put_samples(struct zr_solid_walk *walk, const struct zr_layers *layers, struct zr_tile *tile)
 {
     for (int32_t y = 0; y < tile->height; y++)
@@ -339,7 +341,7 @@ static bool put_samples(struct zr_solid_walk *walk, const struct zr_layers *laye
             uint32_t count;
             const uint64_t *keys = zr_fragments_of(&layers->fragments, place, &count);
             if (count == 0) continue;
-            if (is_stopped(walk, count)) return false;
+            if (!goes_on(walk, count)) return false;
             walk->x = (double)(tile->x + x);
             walk->y = (double)(tile->y + y);
             const uint64_t key = seen_of(walk, keys, count);
@@ -361,6 +363,7 @@ static struct zr_solid_walk *walk_make(const struct zr_tile_source *tiles, const
     walk->cancel = cancel;
     walk->draw = &tiles->geometry->draws[0];
     walk->room = walk->unchecked = walk->last.count = 0;
+    walk->is_stopped = false;
     for (int i = 0; i < REMEMBERED; i++)
         walk->faces[i].owner = 0;
     for (int i = 0; i < REMEMBERED_VALUES; i++) {
