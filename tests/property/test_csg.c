@@ -174,7 +174,7 @@ static struct event judge(const struct tree *t, double x, double y)
         inside ^= 1u << events[i].box;
         if (value_of(t, inside)) return events[i];
     }
-    return (struct event){INFINITY, -1, 0};
+    return (struct event){HUGE_VAL, -1, 0};
 }
 
 static bool is_same(struct event a, struct event b)
