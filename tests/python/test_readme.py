@@ -2,6 +2,7 @@
 import ast
 import os
 import re
+import struct
 import tempfile
 import unittest
 import warnings
@@ -11,6 +12,7 @@ from support import SCENE, needs_numpy, numpy, read, root
 
 PAGE = os.path.join(root, "clients/python/README.md")
 FEWER = {"1000": "2", "orbit(100)": "orbit(3)", "(36)": "(3)"}  # views that the page draws, and those drawn here
+TRIANGLES = (((0, 0, 0), (0, 1, 0), (1, 0, 0)), ((0, 0, 0), (1, 0, 0), (0, 0, 1)), ((0, 0, 0), (0, 0, 1), (0, 1, 0)), ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
 WITHOUT = {"zraster.trimesh.save_image(scene, (640, 480))", "zraster.mujoco.Renderer(model)"}  # scenes of others
 
 
@@ -38,6 +40,11 @@ class Readme(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             try:
                 os.chdir(folder)
+                for name in ("a.stl", "b.stl"):
+                    with open(name, "wb") as file:
+                        file.write(bytes(80) + struct.pack("<I", len(TRIANGLES)))
+                        for corners in TRIANGLES:
+                            file.write(struct.pack("<12fH", 0, 0, 0, *(number for corner in corners for number in corner), 0))
                 for code in expressions():
                     for given, fewer in FEWER.items():
                         code = code.replace(given, fewer)
