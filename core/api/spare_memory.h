@@ -1,7 +1,7 @@
 /* spare_memory.h - api: memory that this process can still take.
  *
- * The least of: MemAvailable of /proc/meminfo; of each control group of the process, version 1 or 2, its limit less
- * what it uses, without file cache that can be dropped; and the limit of the address space, less what is mapped.
+ * The least of three values: MemAvailable of /proc/meminfo; for each control group of the process, version 1 or 2, its
+ * limit minus its use, in which droppable file cache does not count; the limit of the address space minus its size.
  */
 #ifndef ZR_SPARE_MEMORY_H
 #define ZR_SPARE_MEMORY_H

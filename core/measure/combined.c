@@ -70,23 +70,6 @@ static void add_rows(void *context, size_t begin, size_t end)
         }
 }
 
-/* Returns the sum of the largest differences between a ray and its neighbours. */
-static double changes_of(const struct measuring *m)
-{
-    const uint32_t columns = m->lists->grid.columns, rows = m->lists->grid.rows;
-    double sum = 0.0;
-    for (uint32_t i = 0; i < columns * rows; i++) {
-        const uint32_t row = i / columns, column = i % columns;
-        const uint32_t others[4] = {column > 0 ? i - 1 : i, column + 1 < columns ? i + 1 : i, row > 0 ? i - columns : i,
-                                    row + 1 < rows ? i + columns : i};
-        double most = 0.0;
-        for (int k = 0; k < 4; k++)
-            most = zr_most_of(most, fabs(m->lengths[i] - m->lengths[others[k]]));
-        sum += most;
-    }
-    return sum;
-}
-
 static enum zr_status measure(const struct zr_run *run, const struct zr_csg *csg, const struct zr_solid *solid,
                               int number, struct direction *out)
 {
@@ -113,7 +96,7 @@ static enum zr_status measure(const struct zr_run *run, const struct zr_csg *csg
         out->moment[1] += (grid->u.y * r->along_u + grid->v.y * v * r->length + grid->d.y * r->along_d) * cell;
         out->moment[2] += (grid->u.z * r->along_u + grid->v.z * v * r->length + grid->d.z * r->along_d) * cell;
     }
-    if (status == ZR_OK) out->changes = 0.5 * CHANGES * changes_of(&m) * cell;
+    if (status == ZR_OK) out->changes = 0.5 * CHANGES * zr_ray_changes(grid, m.lengths, 1) * cell;
     out->moment[0] += grid->middle.x * out->volume;
     out->moment[1] += grid->middle.y * out->volume;
     out->moment[2] += grid->middle.z * out->volume;

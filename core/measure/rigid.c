@@ -4,6 +4,7 @@
 
 #include "base/cancel.h"
 #include "measure/solid.h"
+#include "mesh/jacobi.h"
 
 enum { TRIANGLES_PER_CANCEL_CHECK = 1 << 12 };
 
@@ -97,30 +98,6 @@ struct zr_moments zr_moments_of(const struct zr_solid *solid, const struct zr_ca
 
 /* ---- eigenvectors ---- */
 
-/* Turns the matrix so that element p, q becomes 0. Source: Golub and Van Loan, "Matrix Computations", 8.5.2. */
-static void turn(double a[3][3], double v[3][3], int p, int q)
-{
-    if (a[p][q] == 0.0) return;
-    const double theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]),
-                 t = (theta >= 0.0 ? 1.0 : -1.0) / (fabs(theta) + sqrt(theta * theta + 1.0)),
-                 c = 1.0 / sqrt(t * t + 1.0), s = t * c;
-    for (int k = 0; k < 3; k++) {
-        const double x = a[k][p], y = a[k][q];
-        a[k][p] = c * x - s * y;
-        a[k][q] = s * x + c * y;
-    }
-    for (int k = 0; k < 3; k++) {
-        const double x = a[p][k], y = a[q][k];
-        a[p][k] = c * x - s * y;
-        a[q][k] = s * x + c * y;
-    }
-    for (int k = 0; k < 3; k++) {
-        const double x = v[k][p], y = v[k][q];
-        v[k][p] = c * x - s * y;
-        v[k][q] = s * x + c * y;
-    }
-}
-
 void zr_eigen_find(const double matrix[3][3], double values[3], double vectors[3][3])
 {
     enum { SWEEPS = 30 };
@@ -128,9 +105,9 @@ void zr_eigen_find(const double matrix[3][3], double values[3], double vectors[3
     int order[3] = {0, 1, 2};
     memcpy(a, matrix, sizeof a);
     for (int i = 0; i < SWEEPS; i++) {
-        turn(a, v, 0, 1);
-        turn(a, v, 0, 2);
-        turn(a, v, 1, 2);
+        zr_jacobi_turn(a, v, 0, 1);
+        zr_jacobi_turn(a, v, 0, 2);
+        zr_jacobi_turn(a, v, 1, 2);
     }
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++)

@@ -68,23 +68,6 @@ static void add_rows(void *context, size_t begin, size_t end)
             add_ray(m, (uint32_t)row * columns + column, &m->rows[row]);
 }
 
-/* Returns the sum of the largest differences of a length between neighbouring rays. */
-static double changes_of(const struct measuring *m, int kind)
-{
-    const uint32_t columns = m->lists->grid.columns, rows = m->lists->grid.rows;
-    double sum = 0.0;
-    for (uint32_t i = 0; i < columns * rows; i++) {
-        const uint32_t row = i / columns, column = i % columns;
-        const uint32_t others[4] = {column > 0 ? i - 1 : i, column + 1 < columns ? i + 1 : i, row > 0 ? i - columns : i,
-                                    row + 1 < rows ? i + columns : i};
-        double most = 0.0;
-        for (int k = 0; k < 4; k++)
-            most = zr_most_of(most, fabs(m->lengths[i][kind] - m->lengths[others[k]][kind]));
-        sum += most;
-    }
-    return sum;
-}
-
 /* Joins the winding numbers of all rows of all directions. */
 static void note_row(const struct row *row, struct row *all)
 {
@@ -112,7 +95,7 @@ static enum zr_status measure_lists(const struct zr_run *run, struct measuring *
         note_row(&m->rows[row], all);
     }
     for (int k = 0; k < KINDS; k++)
-        out->changes[k] = 0.5 * CHANGES * changes_of(m, k) * cell;
+        out->changes[k] = 0.5 * CHANGES * zr_ray_changes(grid, &m->lengths[0][k], KINDS) * cell;
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 

@@ -45,7 +45,7 @@ static void print_color(const struct writer *w, const char *name, uint32_t color
     if (rgba[3] < 255) zr_svg_print(w->out, " %s-opacity=\"%.4g\"", name, rgba[3] / 255.0);
 }
 
-/* Appends the path of a mark, or of what is within `grow` pixels of it. */
+/* Appends the path of a mark, enlarged by `grow` pixels on all sides. */
 static void print_mark(const struct writer *w, const struct zr_mark *mark, double grow, uint32_t color)
 {
     const bool is_area = mark->kind == ZR_MARK_AREA;

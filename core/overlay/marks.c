@@ -192,7 +192,7 @@ static void draw_border(const struct zr_canvas *canvas, const struct zr_mark *ma
     }
 }
 
-/* Draws the ink of a mark, or what is within `grow` of it. */
+/* Draws a mark, enlarged by `grow` pixels on all sides. */
 static void draw(const struct zr_canvas *canvas, const struct zr_mark *mark, double grow, uint32_t color)
 {
     const double pen = zr_mark_pen(mark) + 2 * grow;

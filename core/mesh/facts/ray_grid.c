@@ -85,3 +85,19 @@ void zr_ray_sort(uint64_t *at, uint32_t count, uint64_t *spare, const struct zr_
         memcpy(at, spare, count * sizeof *at);
     }
 }
+
+double zr_ray_changes(const struct zr_ray_grid *grid, const double *lengths, size_t stride)
+{
+    const uint32_t columns = grid->columns, rows = grid->rows;
+    double sum = 0.0;
+    for (uint32_t i = 0; i < columns * rows; i++) {
+        const uint32_t row = i / columns, column = i % columns;
+        const uint32_t others[4] = {column > 0 ? i - 1 : i, column + 1 < columns ? i + 1 : i, row > 0 ? i - columns : i,
+                                    row + 1 < rows ? i + columns : i};
+        double most = 0.0;
+        for (int k = 0; k < 4; k++)
+            most = zr_most_of(most, fabs(lengths[i * stride] - lengths[others[k] * stride]));
+        sum += most;
+    }
+    return sum;
+}

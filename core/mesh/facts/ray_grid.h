@@ -47,6 +47,10 @@ void zr_ray_grid_divide(struct zr_ray_grid *grid, uint32_t rays);
  * for as many. Returns early if cancelled. */
 void zr_ray_sort(uint64_t *at, uint32_t count, uint64_t *spare, const struct zr_cancel *cancel);
 
+/* Returns the sum over all rays of the largest difference between the length of a ray and those of its neighbours.
+ * lengths[i * stride] belongs to ray i, row by row. */
+double zr_ray_changes(const struct zr_ray_grid *grid, const double *lengths, size_t stride);
+
 static inline void zr_ray_facet_put(const struct zr_ray_grid *grid, struct zr_world_place at, struct zr_ray_facet *f,
                                     int corner)
 {

@@ -1,5 +1,7 @@
 #include "mesh/features/cylinder_fit.h"
 
+#include "mesh/jacobi.h"
+
 enum { SWEEPS = 12, ITERATIONS = 4 };
 
 void zr_cylinder_frame_turn(struct zr_cylinder_frame *frame, zr_dvec3 axis)
@@ -23,30 +25,6 @@ void zr_normal_sums_add(struct zr_normal_sums *sums, zr_dvec3 n, double weight)
     sums->zz += weight * (n.z * n.z);
 }
 
-/* Turns axes p and q so that m[p][q] becomes 0; `vectors` has the turned axes as columns. */
-static void rotate(double m[3][3], double vectors[3][3], int p, int q)
-{
-    if (m[p][q] == 0.0) return;
-    const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
-    const double t = (theta < 0.0 ? -1.0 : 1.0) / (fabs(theta) + sqrt(theta * theta + 1.0));
-    const double c = 1.0 / sqrt(t * t + 1.0), s = t * c;
-    for (int k = 0; k < 3; k++) {
-        const double a = m[k][p], b = m[k][q];
-        m[k][p] = c * a - s * b;
-        m[k][q] = s * a + c * b;
-    }
-    for (int k = 0; k < 3; k++) {
-        const double a = m[p][k], b = m[q][k];
-        m[p][k] = c * a - s * b;
-        m[q][k] = s * a + c * b;
-    }
-    for (int k = 0; k < 3; k++) {
-        const double a = vectors[k][p], b = vectors[k][q];
-        vectors[k][p] = c * a - s * b;
-        vectors[k][q] = s * a + c * b;
-    }
-}
-
 void zr_normal_sums_axes(const struct zr_normal_sums *sums, zr_dvec3 axes[3])
 {
     double m[3][3] = {{sums->xx, sums->xy, sums->xz}, {sums->xy, sums->yy, sums->yz}, {sums->xz, sums->yz, sums->zz}};
@@ -54,9 +32,9 @@ void zr_normal_sums_axes(const struct zr_normal_sums *sums, zr_dvec3 axes[3])
     int order[3] = {0, 1, 2};
     const double trace = m[0][0] + m[1][1] + m[2][2];
     for (int i = 0; i < SWEEPS && fabs(m[0][1]) + fabs(m[0][2]) + fabs(m[1][2]) > 1e-17 * trace; i++) {
-        rotate(m, vectors, 0, 1);
-        rotate(m, vectors, 0, 2);
-        rotate(m, vectors, 1, 2);
+        zr_jacobi_turn(m, vectors, 0, 1);
+        zr_jacobi_turn(m, vectors, 0, 2);
+        zr_jacobi_turn(m, vectors, 1, 2);
     }
     for (int i = 0; i < 2; i++)
         for (int k = 2; k > i; k--) {

@@ -24,7 +24,7 @@ enum { ZR_FEATURE_FACES_MOST = 1 << 19, ZR_FEATURE_STEPS_MIN = 1 << 22, ZR_FEATU
 /* Bytes of scratch: per triangle, per position, and beside. */
 enum { ZR_FEATURE_BYTES = 320, ZR_FEATURE_BYTES_OF_POSITION = 64, ZR_FEATURE_BYTES_LEAST = 8 << 20 };
 
-/* Bytes for what is found beside the holes: per triangle, and beside; of many triangles, twice as many beside. */
+/* Bytes for the features other than holes: per triangle, and a constant, which is doubled for many triangles. */
 enum { ZR_FEATURE_BYTES_OF_REST = 64, ZR_FEATURE_BYTES_OF_REST_LEAST = 1 << 19 };
 
 struct zr_part_features {

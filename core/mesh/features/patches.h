@@ -5,7 +5,7 @@
  *         its two outermost corners across the axis lie on the circle. Corners between them may lie on the chord, as
  *         where other faces cut the facet. Each time a patch has doubled, axis and circle are fitted anew.
  * Kept:   patches of at least 3 facets, whose outermost corners are within 0.3 % of the radius.
- * Scans:  the search ends after 32768 seeds in a row without a patch of 8 facets or more: what is left are free forms.
+ * Scans:  the search ends after 32768 consecutive seeds without a patch of at least 8 facets. The rest is free forms.
  * Free:   a patch whose ends go on smoothly, in facets of its own length, is a piece of a free form, such as a ring of
  *         a sphere: it is left out.
  */

@@ -76,7 +76,7 @@ bool zr_layout_is_line_free(const struct zr_layout *layout, struct zr_segment li
 /* True if the line has a point in the box. */
 bool zr_layout_line_meets(struct zr_segment line, struct zr_rect rect);
 
-/* Note what is placed. */
+/* Add a placed box or line: later marks keep clear of it. */
 void zr_layout_take_rect(struct zr_layout *layout, struct zr_rect rect);
 void zr_layout_take_line(struct zr_layout *layout, struct zr_segment line);
 
