@@ -1,5 +1,7 @@
 #include "drawing/overall.h"
 
+#include <math.h>
+
 #include "overlay/annotate/length_text.h"
 #include "overlay/type.h"
 
@@ -52,7 +54,8 @@ static void add_text(struct zr_plot *plot, const struct dimension *d, double mid
         zr_plot_add_text(plot, d->text, (struct zr_point){middle - half, d->at - above}, ZR_DRAWING_TEXT, false);
 }
 
-static void add_dimension(struct zr_plot *plot, const struct dimension *d)
+/* Returns the box of the dimension. */
+static struct zr_page_box add_dimension(struct zr_plot *plot, const struct dimension *d)
 {
     const double length = d->high - d->low, text = zr_type_width(d->text, ZR_DRAWING_TEXT);
     const bool has_arrows = length >= arrows + 2.0, has_text = length >= text + 2.0 && (has_arrows || length >= text);
@@ -66,23 +69,34 @@ static void add_dimension(struct zr_plot *plot, const struct dimension *d)
     const double tail = has_text ? (has_arrows ? 0.0 : outside) : (has_arrows ? 2.0 : outside) + text;
     if (tail > 0.0) add_along(plot, d, d->high, d->high + tail);
     add_text(plot, d, has_text ? 0.5 * (d->low + d->high) : d->high + tail - 0.5 * text);
+    const double out = has_arrows ? 0.0 : outside, rim = 1.0;
+    const double low = fmin(d->low - out, has_text ? 0.5 * (d->low + d->high - text) : d->low) - rim,
+                 high = fmax(d->high + tail, has_text ? 0.5 * (d->low + d->high + text) : d->high) + rim;
+    const double near = d->at - above - ZR_DRAWING_TEXT - rim, far = d->at + beyond;
+    const double from = fmin(fmin(near, d->edge), d->at - beyond), to = fmax(far, d->edge);
+    return d->is_upright ? (struct zr_page_box){from, low, to, high} : (struct zr_page_box){low, from, high, to};
 }
 
-void zr_overall_add(struct zr_plot *plot, const struct zr_page *page, const struct zr_page_layout *layout,
-                    const double sizes[3])
+void zr_overall_add(struct zr_plot *plot, const struct zr_placed_views *placed, struct zr_page_box boxes[3])
 {
-    const struct zr_page_box front = layout->views[ZR_PAGE_FRONT], top = layout->views[ZR_PAGE_TOP];
-    const struct zr_page_box low = page->is_first_angle ? top : front;
-    const double side = page->is_first_angle ? 1.0 : -1.0, offset = ZR_OVERALL_OFFSET;
-    const double largest =
-        sizes[0] > sizes[1] ? (sizes[0] > sizes[2] ? sizes[0] : sizes[2]) : (sizes[1] > sizes[2] ? sizes[1] : sizes[2]);
+    const bool is_first = placed->page.is_first_angle;
+    const struct zr_page_box front = placed->layout.views[ZR_PAGE_FRONT], top = placed->layout.views[ZR_PAGE_TOP];
+    const struct zr_page_box low = is_first ? top : front;
+    const double side = is_first ? 1.0 : -1.0, *sizes = placed->sizes;
+    const double largest = fmax(sizes[0], fmax(sizes[1], sizes[2]));
+    const double front_edge = is_first ? front.x1 : front.x0, top_edge = is_first ? top.x1 : top.x0;
+    double offsets[3] = {ZR_OVERALL_OFFSET, ZR_OVERALL_OFFSET, ZR_OVERALL_OFFSET};
     char texts[3][ZR_LENGTH_SIZE];
     for (int k = 0; k < 3; k++)
         zr_length_write(sizes[k], largest, "", texts[k]);
-    const double edges[2] = {page->is_first_angle ? front.x1 : front.x0, page->is_first_angle ? top.x1 : top.x0};
+    if (placed->is_cut) /* the dimension beyond an end of the cutting line */
+        offsets[placed->cut == ZR_PAGE_FRONT ? 2 : placed->cut == ZR_PAGE_TOP ? 1 : 0] = ZR_OVERALL_BEYOND;
+    if (is_first && placed->is_cut && placed->cut == ZR_PAGE_RIGHT) offsets[0] = ZR_OVERALL_OFFSET;
     zr_plot_begin(plot, "dimensions");
-    add_dimension(plot, &(struct dimension){low.x0, low.x1, low.y1 + offset, low.y1, -1.0, false, texts[0]});
-    add_dimension(plot,
-                  &(struct dimension){front.y0, front.y1, edges[0] + side * offset, edges[0], -side, true, texts[1]});
-    add_dimension(plot, &(struct dimension){top.y0, top.y1, edges[1] + side * offset, edges[1], -side, true, texts[2]});
+    boxes[0] =
+        add_dimension(plot, &(struct dimension){low.x0, low.x1, low.y1 + offsets[0], low.y1, -1.0, false, texts[0]});
+    boxes[1] = add_dimension(plot, &(struct dimension){front.y0, front.y1, front_edge + side * offsets[1], front_edge,
+                                                       -side, true, texts[1]});
+    boxes[2] = add_dimension(
+        plot, &(struct dimension){top.y0, top.y1, top_edge + side * offsets[2], top_edge, -side, true, texts[2]});
 }

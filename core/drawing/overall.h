@@ -7,17 +7,16 @@
 #ifndef ZR_OVERALL_H
 #define ZR_OVERALL_H
 
-#include "drawing/page.h"
-#include "drawing/plot.h"
+#include "drawing/placed_views.h"
 
 /* Height of texts: dimensions, notes and labels. */
 #define ZR_DRAWING_TEXT 3.5
 
-/* Distance of a dimension line from its view. */
+/* Distance of a dimension line from its view; more where it would cross an end of the cutting line of a section. */
 #define ZR_OVERALL_OFFSET 10.0
+#define ZR_OVERALL_BEYOND (ZR_OVERALL_OFFSET + ZR_PAGE_CUT_ROOM)
 
-/* Adds the three dimensions, in a group "dimensions". `sizes`: width, height, depth, in millimetres of the model. */
-void zr_overall_add(struct zr_plot *plot, const struct zr_page *page, const struct zr_page_layout *layout,
-                    const double sizes[3]);
+/* Adds the three dimensions, in a group "dimensions". Sets their boxes. */
+void zr_overall_add(struct zr_plot *plot, const struct zr_placed_views *placed, struct zr_page_box boxes[3]);
 
 #endif

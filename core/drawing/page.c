@@ -6,15 +6,13 @@
 const char *const zr_page_names[ZR_PAGE_SIZES] = {"A4", "A3"};
 const char *const zr_page_view_names[ZR_PAGE_VIEWS] = {"front", "top", "right", "isometric"};
 
-/* Room around the views: beside those with dimensions, at the other edges, between columns and rows, and per row of
- * notes, with the room between a view and the first one. */
+/* Room around the views: beside those with dimensions, at the other edges, between columns and rows, and between a view
+ * and its notes. */
 #define DIMENSION_ROOM 20.0
 #define EDGE_ROOM      6.0
 #define COLUMN_GAP     22.0
 #define ROW_GAP        22.0
-#define NOTE_ROW       6.0
-#define NOTE_FIRST     10.0
-#define LABEL_ROOM     8.0
+#define NOTE_ROOM      6.0
 
 struct zr_page zr_page_make(enum zr_page_size size, bool is_first_angle)
 {
@@ -72,8 +70,8 @@ static double larger(double a, double b)
 /* Returns the room above a view. */
 static double room_above(const struct zr_page_request *request, enum zr_page_view view)
 {
-    const double notes = request->notes[view] > 0 ? NOTE_FIRST + NOTE_ROW * request->notes[view] : 0.0;
-    return notes + (request->has_label[view] ? LABEL_ROOM : 0.0);
+    const double notes = request->notes[view] > 0 ? NOTE_ROOM + ZR_PAGE_NOTE_ROW * request->notes[view] : 0.0;
+    return notes + (request->has_label[view] ? ZR_PAGE_LABEL : 0.0);
 }
 
 /* The views by row and column. */
@@ -104,11 +102,12 @@ static bool lay_out_at(const struct zr_page *page, const struct zr_page_request 
         rows[i] = factor * larger(request->sizes[grid.at[i][0]][1], request->sizes[grid.at[i][1]][1]);
         above[i] = larger(room_above(request, grid.at[i][0]), room_above(request, grid.at[i][1]));
     }
-    const double left = page->is_first_angle ? EDGE_ROOM : DIMENSION_ROOM,
-                 right = page->is_first_angle ? DIMENSION_ROOM : EDGE_ROOM;
+    const double cut = ZR_PAGE_CUT_ROOM, beside = DIMENSION_ROOM + (request->has_cut_beside ? cut : 0.0),
+                 below = DIMENSION_ROOM + (request->has_cut_below ? cut : 0.0);
+    const double left = page->is_first_angle ? EDGE_ROOM : beside, right = page->is_first_angle ? beside : EDGE_ROOM;
     const double first = larger(EDGE_ROOM, above[0]), gap = larger(ROW_GAP, EDGE_ROOM + above[1]);
     const double wide = left + columns[0] + COLUMN_GAP + columns[1] + right,
-                 high = first + rows[0] + gap + rows[1] + DIMENSION_ROOM;
+                 high = first + rows[0] + gap + rows[1] + below;
     const double free_x = page->frame.x1 - page->frame.x0 - wide, free_y = page->title.y0 - page->frame.y0 - high;
     if (!(free_x >= 0.0) || !(free_y >= 0.0)) return false;
     const double x[2] = {page->frame.x0 + left + free_x / 3.0,

@@ -22,6 +22,11 @@ extern const char *const zr_page_view_names[ZR_PAGE_VIEWS]; /* "front" */
 #define ZR_PAGE_TITLE_WIDTH  180.0
 #define ZR_PAGE_TITLE_HEIGHT 36.0
 
+#define ZR_PAGE_CUT_ROOM   12.0 /* of an end of the cutting line of a section */
+#define ZR_PAGE_NOTE_FIRST 7.0  /* the lowest shelf of notes above a view, and their distance */
+#define ZR_PAGE_NOTE_ROW   6.0
+#define ZR_PAGE_LABEL      9.0 /* of the label above a section */
+
 struct zr_page_box {
     double x0, y0, x1, y1;
 };
@@ -45,10 +50,11 @@ static inline double zr_page_factor(struct zr_page_scale scale)
 
 /* Sizes that the layout needs. */
 struct zr_page_request {
-    double sizes[ZR_PAGE_VIEWS][2]; /* width and height of each view, millimetres of the model */
-    uint32_t notes[ZR_PAGE_VIEWS];  /* rows of notes above each view */
-    bool has_label[ZR_PAGE_VIEWS];  /* "A-A" above it */
-    struct zr_page_scale asked;     /* .paper 0: the largest one that fits */
+    double sizes[ZR_PAGE_VIEWS][2];     /* width and height of each view, millimetres of the model */
+    uint32_t notes[ZR_PAGE_VIEWS];      /* rows of notes above each view */
+    bool has_label[ZR_PAGE_VIEWS];      /* "A-A" above it, or an end of the cutting line */
+    bool has_cut_below, has_cut_beside; /* an end of it lies between a view and its dimension line */
+    struct zr_page_scale asked;         /* .paper 0: the largest one that fits */
 };
 
 struct zr_page_layout {

@@ -2,6 +2,10 @@
  *
  *     page.h          paper, scale, places of the views
  *     view_lines.h    visible and hidden lines of each view
+ *     cut_view.h      the section A-A
+ *     part_holes.h    holes of all parts
+ *     center_lines.h  their centre lines
+ *     hole_notes.h    their notes
  *     overall.h       overall sizes
  *     title_block.h   frame, title block, symbol of the projection
  *     plot.h          all of it as lines and texts in millimetres
@@ -25,7 +29,7 @@ struct zr_technical_options {
     bool is_first_angle, has_hidden;
     const char *title, *date;   /* UTF-8 */
     struct zr_page_scale scale; /* .paper 0: the largest that fits */
-    enum zr_cut_axis cut;       /* of the file: the section A-A */
+    enum zr_cut_axis cut;       /* of the world: the section A-A */
     double cut_at;              /* share of the bounds along it, 0..1 */
 };
 
