@@ -7,7 +7,7 @@
  * Where:  the leader ends with an arrow at the rim of one of the holes and points to its middle. All holes of the group
  *         (the first 64), both sides, rows above the view and beside it are compared in a fixed order. Texts lie apart
  *         from views, dimensions, labels and other notes, and inside the frame. Leaders cross no text and no other leader.
- *         The shortest leader wins; those to the left of the left half and above are cheaper. A note without a place is
+ *         The shortest leader wins; those to the left from the left half, above the view and across no other hole are cheaper. A note without a place is
  *         left out, with a warning. */
 #ifndef ZR_HOLE_NOTES_H
 #define ZR_HOLE_NOTES_H
