@@ -80,7 +80,7 @@ void zr_cut_view_mark(struct zr_plot *plot, const struct zr_placed_views *placed
     boxes[0] = add_end(plot, ends[0], x, y, dx, dy);
     boxes[1] = add_end(plot, ends[1], 0.0 - x, 0.0 - y, dx, dy);
     zr_plot_add_text(plot, label, (struct zr_point){middle - 0.5 * width, cut.y0 - 4.0}, LETTER, false);
-    boxes[2] = (struct zr_page_box){middle - 0.5 * width - 1.0, cut.y0 - 4.0 - LETTER - 1.0, middle + 0.5 * width + 1.0,
+    boxes[2] = (struct zr_page_box){middle - 0.5 * width - 3.0, cut.y0 - 4.0 - LETTER - 1.0, middle + 0.5 * width + 3.0,
                                     cut.y0 - 3.0};
 }
 

@@ -1,6 +1,11 @@
 /* Rings of caps: which ring a hole belongs to. */
+#include "base/run.h"
 #include "mesh/cap_rings.h"
+#include "mesh/edge_mesh.h"
+#include "support/test_arena.h"
 #include "support/tests.h"
+
+TEST_ARENA(1 << 24)
 
 enum { RINGS_MOST = 8 };
 
@@ -64,6 +69,36 @@ TEST(so_are_bores_that_contain_one_another)
     add_square(0, 0, 1, 1);
     group();
     assert_int_equal(groups[2] + groups[3], 1);
+}
+
+/* The hole of the second ring comes before it. */
+TEST_AROUND(a_hole_may_come_before_its_ring, open_arena, close_arena)
+{
+    const uint32_t face_offsets[] = {0, 12}, face_rings[] = {0, 3};
+    add_square(0, 0, 10, 0);
+    add_square(4, 4, 1, 1);
+    add_square(4, 4, 4, 0);
+    const uint32_t rings = ring_count;
+    group();
+    const struct zr_mesh mesh = {.name = "",
+                                 .position_count = 4 * rings,
+                                 .positions = positions,
+                                 .face_count = 1,
+                                 .face_offsets = face_offsets,
+                                 .indices = indices,
+                                 .face_rings = face_rings,
+                                 .ring_offsets = offsets,
+                                 .cap_count = 1};
+    struct zr_edge_mesh made;
+    assert_int_equal(zr_edge_mesh_make(&(struct zr_run){.arena = &arena}, &mesh, &made), ZR_OK);
+    double area = 0;
+    for (uint32_t t = 0; t < made.triangle_count; t++) {
+        zr_vec4 p[3];
+        for (uint32_t k = 0; k < 3; k++)
+            p[k] = positions[made.positions[made.corners[3 * t + k]]];
+        area += 0.5 * fabs((double)((p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x)));
+    }
+    assert_true(fabs(area - (400 + 64 - 4)) < 1e-3);
 }
 
 RUN_TESTS(NULL, NULL)
