@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/cancel.h"
 #include "base/memory_error.h"
 #include "drawing/technical_drawing.h"
 #include "drawing_rows.h"
@@ -178,6 +179,7 @@ enum zr_status zr_drawing_file_make(const struct zr_run *run, const struct zr_sc
     *out = (struct zr_drawing_file){.bytes = NULL};
     enum zr_status status = read_query(run->scratch, query, &wanted, run->error);
     if (status == ZR_OK) status = make(run, scene, &wanted, out);
+    if (status == ZR_NO_MEMORY && zr_is_cancelled(run->cancel)) status = ZR_CANCELLED;
     if (status == ZR_NO_MEMORY && run->error->count == 0)
         zr_memory_error_add(run->error, zr_arena_ok(run->scratch) ? run->arena : run->scratch, "drawing", "");
     return status;
