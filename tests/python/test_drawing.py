@@ -248,6 +248,13 @@ class Drawings(unittest.TestCase):
         self.assertEqual(read(name), found.data)
         os.remove(name)
 
+    def test_warnings(self):
+        """open parts have no caps, and other parts do"""
+        mesh = PLATE["meshes"][0]
+        opened = {"meshes": [{**mesh, "name": "open", "faces": mesh["faces"][:-1]}]}
+        self.assertEqual(zraster.drawing(PLATE, section="x").warnings, [])
+        self.assertIn("not closed", " ".join(zraster.drawing(opened, section="x").warnings))
+
     def test_refusals(self):
         """wrong parameters and scenes without a drawing"""
         for options, text in (
