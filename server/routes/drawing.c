@@ -9,7 +9,6 @@
 #include "jobs/slowness.h"
 #include "output/json/warnings.h"
 #include "problem.h"
-#include "render_request.h"
 #include "request/drawing_file.h"
 #include "text.h"
 
@@ -55,26 +54,20 @@ static enum zr_status refuse_cost(const struct work *work, double ms, struct zr_
                         1e-3 * ms, work->service->config->cost_max_ms);
 }
 
-/* Reads the scene and makes the file. */
-static enum zr_status make(const struct work *work, const struct zr_run *run, struct zr_request *render,
+/* Makes the file of a scene. */
+static enum zr_status make(const struct work *work, const struct zr_run *run, const struct zr_scene *scene,
                            struct zr_drawing_file *file)
 {
-    const struct zr_scene *scene;
     const char *query = work->request->query ? work->request->query : "";
     char *own = part_of(query, true);
     const char *numbers = own ? zr_arena_copy(run->arena, own, strlen(own) + 1) : NULL;
-    int64_t mark_us = clock_us();
     free(own);
     if (!numbers) return ZR_NO_MEMORY;
-    render->stored = assets_stored(work->service);
-    enum zr_status status = zr_scene_read(run, render, &work->service->limits, &scene);
-    work->times->parse_ms = (double)(clock_us() - mark_us) / 1000.0;
-    if (status != ZR_OK) return status;
     const double ms = zr_drawing_cost_ms(scene, numbers) * slowness_of(work->service->slowness, true);
     work->times->predicted_ms = ms;
     if (ms > (double)work->service->config->cost_max_ms) return refuse_cost(work, ms, run->error);
-    mark_us = clock_us();
-    status = zr_drawing_file_make(run, scene, numbers, file);
+    const int64_t mark_us = clock_us();
+    const enum zr_status status = zr_drawing_file_make(run, scene, numbers, file);
     work->times->render_ms = (double)(clock_us() - mark_us) / 1000.0;
     return status;
 }
@@ -102,18 +95,20 @@ static void answer_drawing(const struct work *work, const struct zr_run *run, co
 enum request_next drawing_work(const struct work *work)
 {
     struct zr_error error = {0};
-    struct zr_request render;
+    const struct zr_scene *scene;
     struct zr_drawing_file file;
+    enum zr_status status = ZR_OK;
     const struct zr_run run = {.arena = work->arena,
                                .scratch = work->arena,
                                .team = work->service->team,
                                .cancel = work->cancel,
                                .error = &error};
     if (work->request->small_only) return REQUEST_LARGE; /* takes longer than a small one in any case */
-    const enum request_next next = body_next(work, body_unpack(work, &render));
+    const int64_t mark_us = clock_us();
+    const enum request_next next = body_next(work, body_read_scene(work, &run, &scene, &status));
     if (next != REQUEST_WORK) return next;
-    render.cancel = work->reading;
-    const enum zr_status status = make(work, &run, &render, &file);
+    work->times->parse_ms = (double)(clock_us() - mark_us) / 1000.0;
+    if (status == ZR_OK) status = make(work, &run, scene, &file);
     if (status == ZR_OK)
         answer_drawing(work, &run, &file);
     else
