@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/cancel.h"
 #include "drawing/overall.h"
 #include "overlay/annotate/length_text.h"
 #include "overlay/type.h"
@@ -103,6 +104,7 @@ struct leader {
 };
 
 struct placing {
+    const struct zr_cancel *cancel;
     struct zr_plot *plot;
     const struct zr_placed_views *placed;
     const struct zr_part_holes *holes;
@@ -264,7 +266,7 @@ static bool place_note(struct placing *p, const struct zr_hole_note *note)
     else
         snprintf(text, sizeof text, "%s", note->text);
     const double width = zr_type_width(text, ZR_DRAWING_TEXT);
-    for (uint32_t i = 0; i < note->held; i++) {
+    for (uint32_t i = 0; i < note->held && !zr_is_cancelled(p->cancel); i++) {
         offer_above(p, note, &p->holes->at[note->holes[i]], width, &best);
         offer_beside(p, note, &p->holes->at[note->holes[i]], width, &best);
     }
@@ -272,11 +274,11 @@ static bool place_note(struct placing *p, const struct zr_hole_note *note)
     return best.cost < HUGE_VAL;
 }
 
-void zr_hole_notes_add(struct zr_plot *plot, const struct zr_placed_views *placed, const struct zr_part_holes *holes,
-                       const struct zr_hole_notes *notes, const struct zr_page_box *boxes, uint32_t box_count,
-                       struct zr_arena *texts, struct zr_warning_list *warnings)
+void zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const struct zr_placed_views *placed,
+                       const struct zr_part_holes *holes, const struct zr_hole_notes *notes,
+                       const struct zr_page_box *boxes, uint32_t box_count, struct zr_warning_list *warnings)
 {
-    struct placing p = {.plot = plot, .placed = placed, .holes = holes};
+    struct placing p = {.cancel = run->cancel, .plot = plot, .placed = placed, .holes = holes};
     const double grown = 2.0;
     for (int view = 0; view < ZR_PAGE_VIEWS; view++) {
         const struct zr_page_box box = placed->layout.views[view];
@@ -288,6 +290,6 @@ void zr_hole_notes_add(struct zr_plot *plot, const struct zr_placed_views *place
     zr_plot_begin(plot, "notes");
     for (uint32_t i = 0; i < notes->count; i++)
         if (!place_note(&p, &notes->at[i]))
-            zr_warning_list_add(texts, warnings, "no room for the note of %u holes, %s", notes->at[i].count,
+            zr_warning_list_add(run->arena, warnings, "no room for the note of %u holes, %s", notes->at[i].count,
                                 notes->at[i].text);
 }

@@ -90,10 +90,10 @@ static bool is_taken(const struct grouping *g, const uint32_t *groups, uint32_t 
     return false;
 }
 
-/* Returns the smallest ring around a hole, the hole itself if there is none. `free`: none of which an earlier hole has
+/* Returns the smallest ring around a hole, the hole itself if there is none. `is_free`: none of which an earlier hole has
  * taken it. *around: how many rings are around it. */
-static uint32_t smallest_around(const struct grouping *g, const uint32_t *groups, uint32_t hole, double sign, bool free,
-                                uint32_t *around)
+static uint32_t smallest_around(const struct grouping *g, const uint32_t *groups, uint32_t hole, double sign,
+                                bool is_free, uint32_t *around)
 {
     const double own = area_of(g, hole);
     double least = HUGE_VAL;
@@ -103,7 +103,7 @@ static uint32_t smallest_around(const struct grouping *g, const uint32_t *groups
         const double area = area_of(g, ring);
         if (area * sign <= 0.0 || fabs(area) < fabs(own) || !is_around(g, ring, hole, own, 0.0)) continue;
         ++*around;
-        if (fabs(area) >= least || (free && is_taken(g, groups, ring, hole))) continue;
+        if (fabs(area) >= least || (is_free && is_taken(g, groups, ring, hole))) continue;
         least = fabs(area);
         found = ring;
     }
