@@ -2,12 +2,15 @@
 import math
 import os
 import re
+import shutil
 import struct
+import subprocess
 import unittest
 import xml.etree.ElementTree as tree
+import zlib
 
 import zraster
-from support import models, read
+from support import models, needs_numpy, read
 
 SVG = "{http://www.w3.org/2000/svg}"
 SEGMENTS = 64
@@ -69,6 +72,47 @@ def points_of(path):
 
 def box_of(points):
     return [min(p[0] for p in points), min(p[1] for p in points), max(p[0] for p in points), max(p[1] for p in points)]
+
+
+def dark(png):
+    """Returns which pixels of a PNG are dark: of RGB, RGBA or a palette of greys. An array."""
+    import numpy
+
+    at, packed, palette = 8, b"", None
+    while at < len(png):
+        size, kind = struct.unpack(">I4s", png[at : at + 8])
+        data = png[at + 8 : at + 8 + size]
+        at += size + 12
+        if kind == b"IHDR":
+            width, height, bits, color = struct.unpack(">IIBB", data[:10])
+        elif kind == b"PLTE":
+            palette = numpy.frombuffer(data, numpy.uint8)[::3]
+        elif kind == b"IDAT":
+            packed += data
+    step = {2: 3, 3: 1, 6: 4}[color]
+    rows = numpy.frombuffer(zlib.decompress(packed), numpy.uint8).reshape(height, -1)
+    out = numpy.zeros((height, rows.shape[1] - 1), numpy.int32)
+    above = numpy.zeros(rows.shape[1] - 1, numpy.int32)
+    for y in range(height):
+        line, filtered = rows[y, 1:].astype(numpy.int32), rows[y, 0]
+        if filtered == 2:
+            line = (line + above) % 256
+        elif filtered == 1:
+            line = numpy.cumsum(line.reshape(-1, step), 0).ravel() % 256
+        elif filtered > 2:
+            done, before = line.tolist(), above.tolist()
+            for x in range(len(done)):
+                left, up = done[x - step] if x >= step else 0, before[x]
+                corner = before[x - step] if x >= step else 0
+                near = min((left, up, corner), key=lambda v: abs(left + up - corner - v))
+                done[x] = (done[x] + (near if filtered == 4 else (left + up) // 2)) % 256
+            line = numpy.array(done, numpy.int32)
+        out[y] = above = line
+    if bits < 8:
+        out = numpy.unpackbits(out.astype(numpy.uint8), axis=1).reshape(height, -1, bits)
+        out = (out << numpy.arange(bits - 1, -1, -1)).sum(2)[:, :width]
+    values = palette[out] if color == 3 else out.reshape(height, width, step)[:, :, 0]
+    return values < 128
 
 
 class Sheet:
@@ -234,6 +278,48 @@ class Drawings(unittest.TestCase):
             found = zraster.drawing(PLATE, page=page, dpi=dpi, format="png")
             self.assertEqual(found.type, "image/png")
             self.assertEqual(struct.unpack(">II", found.data[16:24]), size)
+
+    def test_units(self):
+        """lengths of a file with a unit are millimetres"""
+        import base64
+        import json
+
+        corners = [(x, y, z) for x in (0, 0.04) for y in (0, 0.02) for z in (0, 0.01)]
+        faces = [0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3]
+        data = b"".join(struct.pack("<3f", *corner) for corner in corners) + struct.pack("<36H", *faces)
+        file = {
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+            "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+            "bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 72}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [0, 0, 0], "max": [0.04, 0.02, 0.01]},
+                          {"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"}],
+        }  # fmt: skip
+        sheet = Sheet(zraster.drawing(json.dumps(file).encode()))
+        self.assertEqual(sheet.root.get("data-scale"), "2:1")
+        self.assert_near(sheet.size("front"), (40, 20))
+        self.assertIn("mm", sheet.labels())
+        self.assertIn("40 \u00d7 10 \u00d7 20", sheet.labels())
+
+    @needs_numpy
+    @unittest.skipUnless(shutil.which("rsvg-convert"), "there is no rsvg-convert (librsvg2-bin)")
+    def test_same_ink(self):
+        """the pixels of a PNG are those that librsvg draws of the SVG"""
+        import numpy
+
+        def grown(ink):
+            out = ink.copy()
+            for axis in (0, 1):
+                for by in (-1, 1):
+                    out |= numpy.roll(ink, by, axis)
+            return out
+
+        ours = dark(zraster.drawing(PLATE, section="x", format="png", dpi=100).data)
+        svg = zraster.drawing(PLATE, section="x").data
+        theirs = dark(subprocess.run(["rsvg-convert", "-w", "1654", "-h", "1169"], input=svg, capture_output=True, check=True).stdout)
+        self.assertGreater(ours.sum(), 10000)
+        self.assertLess((ours & ~grown(theirs)).sum(), 0.005 * ours.sum())
+        self.assertLess((theirs & ~grown(ours)).sum(), 0.005 * theirs.sum())
 
     def test_files(self):
         """a file's name is the title, and save writes the bytes"""
