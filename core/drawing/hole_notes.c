@@ -95,9 +95,17 @@ void zr_hole_notes_list(const struct zr_placed_views *placed, const struct zr_pa
 
 /* ---- places ---- */
 
-enum { BOXES_MAX = ZR_NOTES_MAX + 32, LEADERS_MAX = 2 * ZR_NOTES_MAX, ROWS = 6, SIDE_ROWS = 24, SLOPES = 4 };
+enum {
+    BOXES_MAX = ZR_NOTES_MAX + 32,
+    LEADERS_MAX = 2 * ZR_NOTES_MAX,
+    ROWS = 6,
+    SIDE_ROWS = 24,
+    SLOPES = 6,
+    HEIGHTS = 2
+};
 
-static const double beside = 8.0, away = 14.0, other_half = 10.0, other_hole = 12.0, rim = 1.0;
+static const double heights[HEIGHTS] = {ZR_DRAWING_TEXT, 2.5}; /* of ISO 3098 */
+static const double beside = 8.0, below = 9.0, away = 14.0, other_half = 10.0, other_hole = 12.0, rim = 1.0;
 
 struct leader {
     struct zr_point from, to;
@@ -108,6 +116,7 @@ struct placing {
     struct zr_plot *plot;
     const struct zr_placed_views *placed;
     const struct zr_part_holes *holes;
+    double height; /* of texts */
     uint32_t box_count, leader_count;
     struct zr_page_box boxes[BOXES_MAX];
     struct leader leaders[LEADERS_MAX];
@@ -145,16 +154,15 @@ static bool meets(struct leader line, struct zr_page_box box)
     return has_end || cross(line, one) || cross(line, other);
 }
 
-static struct zr_page_box text_box(const struct place *place, double width)
+static struct zr_page_box text_box(const struct placing *p, const struct place *place, double width)
 {
     const double x0 = place->side > 0.0 ? place->elbow.x : place->elbow.x - width;
-    return (struct zr_page_box){x0 - rim, place->elbow.y - ZR_DRAWING_TEXT - 2.0, x0 + width + rim,
-                                place->elbow.y + rim};
+    return (struct zr_page_box){x0 - rim, place->elbow.y - p->height - 2.0, x0 + width + rim, place->elbow.y + rim};
 }
 
 static bool is_free(const struct placing *p, const struct place *place, double width)
 {
-    const struct zr_page_box box = text_box(place, width), frame = p->placed->page.frame;
+    const struct zr_page_box box = text_box(p, place, width), frame = p->placed->page.frame;
     const struct leader leader = {place->rim, place->elbow};
     if (box.x0 < frame.x0 + 2.0 || box.x1 > frame.x1 - 2.0 || box.y0 < frame.y0 + 2.0 || box.y1 > frame.y1 - 2.0)
         return false;
@@ -206,11 +214,12 @@ static void offer(const struct placing *p, enum zr_page_view view, const struct 
     if (place.cost < best->cost) *best = place;
 }
 
-/* Offers places above the view. */
-static void offer_above(const struct placing *p, const struct zr_hole_note *note, const struct zr_part_hole *hole,
-                        double width, struct place *best)
+/* Offers places above the view, or below it. */
+static void offer_rows(const struct placing *p, const struct zr_hole_note *note, const struct zr_part_hole *hole,
+                       double width, bool is_below, struct place *best)
 {
-    static const double slopes[SLOPES] = {0.58, 1.0, 0.36, 0.18}, costs[SLOPES] = {0.0, 1.0, 4.0, 8.0};
+    static const double slopes[SLOPES] = {0.58, 1.0, 0.36, 0.18, 1.7, 2.7},
+                        costs[SLOPES] = {0.0, 1.0, 4.0, 8.0, 2.0, 4.0};
     const struct zr_page_box view = p->placed->layout.views[note->view];
     const struct zr_point center = zr_placed_world(p->placed, note->view, hole->ends[0]);
     const bool is_left = center.x < 0.5 * (view.x0 + view.x1);
@@ -218,10 +227,12 @@ static void offer_above(const struct placing *p, const struct zr_hole_note *note
         for (int slope = 0; slope < SLOPES; slope++)
             for (int k = 0; k < 2; k++) {
                 const double side = (k == 0) == is_left ? -1.0 : 1.0;
-                const double y = view.y0 - ZR_PAGE_NOTE_FIRST - ZR_PAGE_NOTE_ROW * row;
-                const struct place place = {.cost = costs[slope] + (k == 0 ? 0.0 : other_half),
+                const double y = is_below ? view.y1 + below + ZR_PAGE_NOTE_ROW * row
+                                          : view.y0 - ZR_PAGE_NOTE_FIRST - ZR_PAGE_NOTE_ROW * row;
+                const struct place place = {.cost =
+                                                costs[slope] + (k == 0 ? 0.0 : other_half) + (is_below ? away : 0.0),
                                             .center = center,
-                                            .elbow = {center.x + side * slopes[slope] * (center.y - y), y},
+                                            .elbow = {center.x + side * slopes[slope] * fabs(center.y - y), y},
                                             .side = side};
                 offer(p, note->view, hole, place, width, best);
             }
@@ -246,32 +257,44 @@ static void offer_beside(const struct placing *p, const struct zr_hole_note *not
 
 static void take(struct placing *p, const struct place *place, const char *text, double width)
 {
-    const struct zr_page_box box = text_box(place, width);
+    const struct zr_page_box box = text_box(p, place, width);
     const double x = place->rim.x - place->center.x, y = place->rim.y - place->center.y, length = sqrt(x * x + y * y);
     const double x0 = place->side > 0.0 ? place->elbow.x : place->elbow.x - width;
     const struct zr_point points[] = {place->rim, place->elbow, {place->elbow.x + place->side * width, place->elbow.y}};
     zr_plot_add_line(p->plot, ZR_PLOT_DIMENSION, points, 3);
     zr_plot_add_arrow(p->plot, place->rim, 0.0 - x / length, 0.0 - y / length);
-    zr_plot_add_text(p->plot, text, (struct zr_point){x0, place->elbow.y - 1.0}, ZR_DRAWING_TEXT, false);
+    zr_plot_add_text(p->plot, text, (struct zr_point){x0, place->elbow.y - 1.0}, p->height, false);
     p->boxes[p->box_count++] = box;
     p->leaders[p->leader_count++] = (struct leader){place->rim, place->elbow};
+}
+
+/* Places a text of p->height. */
+static bool place_text(struct placing *p, const struct zr_hole_note *note, const char *text)
+{
+    const double width = zr_type_width(text, p->height);
+    struct place best = {.cost = HUGE_VAL};
+    for (uint32_t i = 0; i < note->held && !zr_is_cancelled(p->cancel); i++) {
+        const struct zr_part_hole *hole = &p->holes->at[note->holes[i]];
+        offer_rows(p, note, hole, width, false, &best);
+        offer_rows(p, note, hole, width, true, &best);
+        offer_beside(p, note, hole, width, &best);
+    }
+    if (best.cost < HUGE_VAL) take(p, &best, text, width);
+    return best.cost < HUGE_VAL;
 }
 
 static bool place_note(struct placing *p, const struct zr_hole_note *note)
 {
     char text[ZR_NOTE_SIZE + 16];
-    struct place best = {.cost = HUGE_VAL};
     if (note->count > 1)
         snprintf(text, sizeof text, "%u\xc3\x97 %s", note->count, note->text);
     else
         snprintf(text, sizeof text, "%s", note->text);
-    const double width = zr_type_width(text, ZR_DRAWING_TEXT);
-    for (uint32_t i = 0; i < note->held && !zr_is_cancelled(p->cancel); i++) {
-        offer_above(p, note, &p->holes->at[note->holes[i]], width, &best);
-        offer_beside(p, note, &p->holes->at[note->holes[i]], width, &best);
+    for (int i = 0; i < HEIGHTS; i++) {
+        p->height = heights[i];
+        if (place_text(p, note, text)) return true;
     }
-    if (best.cost < HUGE_VAL) take(p, &best, text, width);
-    return best.cost < HUGE_VAL;
+    return false;
 }
 
 void zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const struct zr_placed_views *placed,
