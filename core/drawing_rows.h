@@ -9,7 +9,7 @@
     ROW(scale, "N:M", "scale, such as 1:2 (default: the largest standard one that fits)")                              \
     ROW(projection, "third|first", "places of the views: third or first angle (default: third)")                       \
     ROW(section, "AXIS[:SHARE]",                                                                                       \
-        "section A-A across x, y or z of the world, at a share of the bounds, such as x or x:0.5 (default: none)")        \
+        "section A-A across x, y or z of the world, at a share of the bounds: x or x:0.5 (default: none)")             \
     ROW(hidden, "true|false", "hidden lines in dashes (default: true)")                                                \
     ROW(title, "TEXT", "title in the title block (default: the name of the file)")                                     \
     ROW(date, "TEXT", "date in the title block (default: none)")                                                       \

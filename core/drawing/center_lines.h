@@ -1,7 +1,7 @@
 /* center_lines.h - drawing: centre lines of holes.
  *
- * Form:   ISO 128: a cross where a hole is seen along its axis, a line along its axis where it is seen from the side; both
- *         3 mm longer than the hole. Lines that lie on one another become one. Oblique holes have none. */
+ * Form:   ISO 128: a cross where a hole is seen along its axis, a line along its axis where it is seen from the side;
+ *         both 3 mm longer than the hole. Lines that lie on one another become one. Oblique holes have none. */
 #ifndef ZR_CENTER_LINES_H
 #define ZR_CENTER_LINES_H
 

@@ -3,8 +3,8 @@
  * Which:  the view that looks across the plane becomes the section: the right view for x, the front view for z, the top
  *         view for y (of a world where y is up). It keeps its place and frame beside the other views.
  * Form:   ISO 128-40 and -50: the cutting line is a chain line with wide ends, arrows in the direction of sight, and
- *         letters, in the view beside; A-A above the section; hatches at 45 degrees, at 135 for every other part. Hidden
- *         lines are left out. */
+ *         letters, in the view beside; A-A above the section; hatches at 45 degrees, at 135 for every other part.
+ *         Hidden lines are left out. */
 #ifndef ZR_CUT_VIEW_H
 #define ZR_CUT_VIEW_H
 

@@ -122,8 +122,8 @@ struct placing {
     struct leader leaders[LEADERS_MAX];
 };
 
-/* A place of a note: the leader goes from the rim of a hole to the elbow, and the text runs from there to the left or to
- * the right on a shelf. */
+/* A place of a note: the leader goes from the rim of a hole to the elbow, and the text runs from there to the left or
+ * to the right on a shelf. */
 struct place {
     double cost;
     struct zr_point center, elbow, rim;

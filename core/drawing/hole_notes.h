@@ -1,14 +1,15 @@
 /* hole_notes.h - drawing: notes of holes, such as "4x o5.2 through", with leaders.
  *
- * Which:  one note per group of holes with the same text in one view: the one that sees them along their axis. Holes seen
- *         only obliquely have none.
- * Text:   count, diameter (a radius if the hole is open over more than a quarter), through or depth, and the steps: diameter
- *         and depth of counterbores, diameter and angle of countersinks.
+ * Which:  one note per group of holes with the same text in one view: the one that sees them along their axis. Holes
+ *         seen only obliquely have none.
+ * Text:   count, diameter (a radius if the hole is open over more than a quarter), through or depth, and the steps:
+ *         diameter and depth of counterbores, diameter and angle of countersinks.
  * Where:  the leader ends with an arrow at the rim of one of the holes and points to its middle. All holes of the group
- *         (the first 64), both sides, rows above the view, below and beside it are compared in a fixed order. Texts lie apart
- *         from views, dimensions, labels and other notes, and inside the frame. Leaders cross no text and no other leader.
- *         The shortest leader wins; those to the left from the left half, above the view and across no other hole are cheaper. If there is no place, smaller letters are tried. A note without a place is
- *         left out, with a warning. */
+ *         (the first 64), both sides, rows above the view, below and beside it are compared in a fixed order. Texts lie
+ *         apart from views, dimensions, labels and other notes, and inside the frame. Leaders cross no text and no
+ *         other leader. The shortest leader wins; those to the left from the left half, above the view and across no
+ *         other hole are cheaper. If there is no place, smaller letters are tried. A note without a place is left out,
+ *         with a warning. */
 #ifndef ZR_HOLE_NOTES_H
 #define ZR_HOLE_NOTES_H
 

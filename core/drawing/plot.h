@@ -65,6 +65,7 @@ enum { ZR_PLOT_GROUPS = 24 };
 struct zr_plot {
     struct zr_arena *arena;
     double width, height; /* of the paper */
+    const char *title;    /* UTF-8 */
     char scale[32];       /* "1:2" */
     uint32_t item_count, item_room, point_count, point_room, group_count;
     struct zr_plot_item *items;

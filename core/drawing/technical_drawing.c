@@ -252,7 +252,8 @@ enum zr_status zr_technical_drawing_make(const struct zr_run *run, const struct 
     m.placed.page = zr_page_make(options->page, options->is_first_angle);
     m.placed.has_hidden = options->has_hidden;
     m.placed.unit = millimetres > 0.0 ? millimetres : 1.0;
-    *out = (struct zr_plot){.arena = run->arena, .width = m.placed.page.width, .height = m.placed.page.height};
+    *out = (struct zr_plot){
+        .arena = run->arena, .width = m.placed.page.width, .height = m.placed.page.height, .title = options->title};
     enum zr_status status = check(scene, run->error);
     if (status == ZR_OK && !zr_scene_edit_materials(run->scratch, scene, draw_both_sides, &edited))
         status = ZR_NO_MEMORY;

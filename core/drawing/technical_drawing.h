@@ -33,8 +33,9 @@ struct zr_technical_options {
     double cut_at;              /* share of the bounds along it, 0..1 */
 };
 
-/* Makes the drawing in the arena. Fails with ZR_BAD_SCENE, explained by *run->error, for scenes without faces, with several
- * views, with sections or combined solids of their own, and if nothing fits; with ZR_NO_MEMORY and ZR_CANCELLED. */
+/* Makes the drawing in the arena. Fails with ZR_BAD_SCENE, explained by *run->error, for scenes without faces, with
+ * several views, with sections or combined solids of their own, and if nothing fits; with ZR_NO_MEMORY and
+ * ZR_CANCELLED. Warnings are in the arena, too. */
 enum zr_status zr_technical_drawing_make(const struct zr_run *run, const struct zr_scene *scene,
                                          const struct zr_technical_options *options, struct zr_plot *out,
                                          struct zr_warning_list *warnings);

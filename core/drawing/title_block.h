@@ -1,7 +1,7 @@
 /* title_block.h - drawing: frame, centring marks and title block of the paper.
  *
- * Form:   ISO 5457: frame 0.7 mm, centring marks that reach 5 mm into it. ISO 7200: a title block 180 mm wide. The symbol
- *         of the projection is that of ISO 5456-2: a truncated cone and its circles. */
+ * Form:   ISO 5457: frame 0.7 mm, centring marks that reach 5 mm into it. ISO 7200: a title block 180 mm wide. The
+ *         symbol of the projection is that of ISO 5456-2: a truncated cone and its circles. */
 #ifndef ZR_TITLE_BLOCK_H
 #define ZR_TITLE_BLOCK_H
 

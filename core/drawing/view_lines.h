@@ -1,8 +1,8 @@
 /* view_lines.h - drawing: the lines of one view of a technical drawing, visible and hidden.
  *
- * Space:  lengths of the scene along the right and the up axis of the view, which are exact axes of the world but for the
- *         isometric one. Coordinates are those of the scene, not pixels: they are brought back in doubles by the floats
- *         of the camera.
+ * Space:  lengths of the scene along the right and the up axis of the view, which are exact axes of the world but for
+ *         the isometric one. Coordinates are those of the scene, not pixels: they are brought back in doubles by the
+ *         floats of the camera.
  * How:    lines/drawing.h with an orthographic camera; straight lines keep no points between their ends, and all other
  *         points are kept. */
 #ifndef ZR_VIEW_LINES_H
@@ -27,8 +27,8 @@ struct zr_view_lines {
 /* Returns the axes of a view. `z_is_up`: of the world; else y. */
 struct zr_view_axes zr_view_axes_of(enum zr_page_view view, bool z_is_up);
 
-/* Makes the lines, in the arena. `scene` draws both sides of its faces, `bounds` are valid and not a point. Returns ZR_OK,
- * ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Makes the lines, in the arena. `scene` draws both sides of its faces, `bounds` are valid and not a point. Returns
+ * ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_view_lines_make(const struct zr_run *run, const struct zr_scene *scene,
                                   const struct zr_bounds *bounds, struct zr_view_axes axes, bool has_hidden,
                                   struct zr_view_lines *out);

@@ -61,8 +61,8 @@ static bool contains(const struct grouping *g, uint32_t ring, struct point at)
     return is_inside;
 }
 
-/* Returns true if the ring contains most of three points of the other: the middles of edges, moved by the share `inwards`
- * of the edge, where the other turns left if `turn` is positive. */
+/* Returns true if the ring contains most of three points of the other: the middles of edges, moved by the share
+ * `inwards` of the edge, where the other turns left if `turn` is positive. */
 static bool is_around(const struct grouping *g, uint32_t ring, uint32_t other, double turn, double inwards)
 {
     const uint32_t begin = g->rings->offsets[other], count = g->rings->offsets[other + 1] - begin;
@@ -90,8 +90,8 @@ static bool is_taken(const struct grouping *g, const uint32_t *groups, uint32_t 
     return false;
 }
 
-/* Returns the smallest ring around a hole, the hole itself if there is none. `is_free`: none of which an earlier hole has
- * taken it. *around: how many rings are around it. */
+/* Returns the smallest ring around a hole, the hole itself if there is none. `is_free`: none of which an earlier hole
+ * has taken it. *around: how many rings are around it. */
 static uint32_t smallest_around(const struct grouping *g, const uint32_t *groups, uint32_t hole, double sign,
                                 bool is_free, uint32_t *around)
 {

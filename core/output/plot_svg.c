@@ -94,7 +94,9 @@ enum zr_status zr_plot_svg_write(const struct zr_plot *plot, const struct zr_can
                  "%.6g\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\" "
                  "data-scale=\"%s\">\n",
                  plot->width, plot->height, plot->width, plot->height, plot->scale);
-    zr_svg_print(out, "<rect width=\"%.6g\" height=\"%.6g\" fill=\"#fff\" stroke=\"none\"/>\n", plot->width,
+    zr_svg_print(out, "<title>");
+    zr_svg_print_escaped(out, plot->title);
+    zr_svg_print(out, "</title>\n<rect width=\"%.6g\" height=\"%.6g\" fill=\"#fff\" stroke=\"none\"/>\n", plot->width,
                  plot->height);
     for (uint32_t g = 0; g < plot->group_count; g++) {
         const uint32_t first = plot->groups[g].first,

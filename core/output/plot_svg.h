@@ -3,7 +3,8 @@
  * Space:  millimetres; the size of the file is that of the paper.
  * Form:   a group per view or table, with its name as id; in it, a group per run of items with one pen, with the pen's
  *         name as class. Lines and letters are paths. A text is a group with role="img" and the text as aria-label.
- *         The root has the scale as data-scale.
+ *         The root has
+ *         the scale as data-scale, and a title.
  * Exact:  coordinates have up to 6 decimals. The same bytes for every machine, LC_NUMERIC being "C". */
 #ifndef ZR_PLOT_SVG_H
 #define ZR_PLOT_SVG_H

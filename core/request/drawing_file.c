@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/cancel.h"
 #include "base/memory_error.h"
+#include "base/utf8.h"
 #include "drawing/technical_drawing.h"
 #include "drawing_rows.h"
 #include "input/query/query_text.h"
@@ -109,6 +110,17 @@ bool zr_drawing_has_parameter(const char *text)
     return parameter_of(text) < PARAMETERS;
 }
 
+/* Replaces bytes that are no UTF-8 by "?". */
+static void mend(char *text)
+{
+    const char *end = text + strlen(text);
+    while (text < end) {
+        const size_t length = zr_utf8_length(text, end);
+        if (length == 0) *text = '?';
+        text += length > 0 ? length : 1;
+    }
+}
+
 static enum zr_status read_parameter(struct zr_arena *arena, const char *text, size_t size, struct wanted *out,
                                      struct zr_error *error)
 {
@@ -124,7 +136,9 @@ static enum zr_status read_parameter(struct zr_arena *arena, const char *text, s
                             "unknown parameter; those of drawings are:" ZR_DRAWING_ROWS(NAME));
 #undef NAME
     }
-    if (!zr_percent_decode(decoded, value, length) || !parameters[number].read(decoded, out))
+    const bool is_decoded = zr_percent_decode(decoded, value, length);
+    mend(decoded);
+    if (!is_decoded || !parameters[number].read(decoded, out))
         return zr_error_add(error, ZR_BAD_REQUEST, NULL, "parameter %s: %.100s is not %s", parameters[number].name,
                             decoded, parameters[number].needs);
     return ZR_OK;

@@ -185,6 +185,13 @@ class Drawings(unittest.TestCase):
         for text in ("Plate & <1>", "2026-11-30", "2:1", "none in file (1 = 1 mm)", "40 \u00d7 20 \u00d7 10", "A3 1/1"):
             self.assertIn(text, labels)
 
+    def test_titles(self):
+        """long titles, signs and other letters stay in the title block"""
+        for title in ("x" * 3000, "\u00d8 12 \u00b1 0.1 \u2603", "a\tb<&>\"'", "\u0416" * 100):
+            sheet = Sheet(zraster.drawing(PLATE, title=title, date=title))
+            for _, (x0, y0, x1, y1) in sheet.texts:
+                self.assertTrue(20 <= x0 and x1 <= 410 and 10 <= y0 and y1 <= 287, title[:20])
+
     def test_center_lines(self):
         """crosses in the middle of the holes, and their axes"""
         sheet = Sheet(zraster.drawing(PLATE))
