@@ -12,10 +12,10 @@ static void add_line(struct zr_plot *plot, double x0, double y0, double x1, doub
     zr_plot_add_line(plot, ZR_PLOT_DIMENSION, (const struct zr_point[2]){{x0, y0}, {x1, y1}}, 2);
 }
 
-/* A dimension from `low` to `high` along an axis, at a place across it. Views lie on the side `toward` of that, and
- * extension lines begin at `edge`. */
+/* A dimension from `low` to `high` along an axis, at a place across it. The view lies on the side `toward` of that, up to
+ * `edge`. Extension lines begin at `begins`, where the view reaches low and high. */
 struct dimension {
-    double low, high, at, edge, toward;
+    double low, high, at, edge, toward, begins[2];
     bool is_upright;
     const char *text;
 };
@@ -29,9 +29,9 @@ static void add_along(struct zr_plot *plot, const struct dimension *d, double fr
         add_line(plot, from, d->at, to, d->at);
 }
 
-static void add_extension(struct zr_plot *plot, const struct dimension *d, double place)
+static void add_extension(struct zr_plot *plot, const struct dimension *d, double place, double begin)
 {
-    const double from = d->edge - gap * d->toward, to = d->at - beyond * d->toward;
+    const double from = begin - gap * d->toward, to = d->at - beyond * d->toward;
     if (d->is_upright)
         add_line(plot, from, place, to, place);
     else
@@ -59,8 +59,8 @@ static struct zr_page_box add_dimension(struct zr_plot *plot, const struct dimen
 {
     const double length = d->high - d->low, text = zr_type_width(d->text, ZR_DRAWING_TEXT);
     const bool has_arrows = length >= arrows + 2.0, has_text = length >= text + 2.0 && (has_arrows || length >= text);
-    add_extension(plot, d, d->low);
-    add_extension(plot, d, d->high);
+    add_extension(plot, d, d->low, d->begins[0]);
+    add_extension(plot, d, d->high, d->begins[1]);
     add_arrow(plot, d, d->low, has_arrows ? -1.0 : 1.0);
     add_arrow(plot, d, d->high, has_arrows ? 1.0 : -1.0);
     add_along(plot, d, d->low, d->high);
@@ -77,14 +77,50 @@ static struct zr_page_box add_dimension(struct zr_plot *plot, const struct dimen
     return d->is_upright ? (struct zr_page_box){from, low, to, high} : (struct zr_page_box){low, from, high, to};
 }
 
+/* Returns the place of a view's point that reaches its low or high end along `axis`: the one nearest to a dimension line,
+ * which lies on the side away from `toward`. `otherwise`: if there is none. */
+static double begin_of(const struct zr_placed_views *placed, enum zr_page_view view, int axis, bool is_high,
+                       double toward, double otherwise)
+{
+    const double near = 1e-6;
+    const struct zr_view_lines *of = &placed->views[view];
+    const double end = is_high ? of->high[axis] : of->low[axis], most = near * (of->high[axis] - of->low[axis]);
+    bool is_found = false;
+    double found = otherwise;
+    for (uint32_t i = 0; i < of->lines.point_count; i++) {
+        const double *point = of->lines.points[i];
+        if (!(fabs(point[axis] - end) <= most)) continue;
+        const struct zr_point at = zr_placed_point(placed, view, point);
+        const double place = axis == 0 ? at.y : at.x;
+        if (!is_found || place * toward < found * toward) found = place;
+        is_found = true;
+    }
+    return found;
+}
+
+/* Returns the dimension of a view along an axis, 0 across the paper and 1 up it. */
+static struct dimension dimension_of(const struct zr_placed_views *placed, enum zr_page_view view, int axis,
+                                     double side, double offset, const char *text)
+{
+    const struct zr_page_box box = placed->layout.views[view];
+    const double edge = axis == 0 ? box.y1 : side > 0.0 ? box.x1 : box.x0;
+    struct dimension d = {.low = axis == 0 ? box.x0 : box.y0,
+                          .high = axis == 0 ? box.x1 : box.y1,
+                          .at = edge + side * offset,
+                          .edge = edge,
+                          .toward = 0.0 - side,
+                          .is_upright = axis == 1,
+                          .text = text};
+    for (int k = 0; k < 2; k++) /* up is down on the paper */
+        d.begins[k] = begin_of(placed, view, axis, (k == 1) == (axis == 0), d.toward, edge);
+    return d;
+}
+
 void zr_overall_add(struct zr_plot *plot, const struct zr_placed_views *placed, struct zr_page_box boxes[3])
 {
     const bool is_first = placed->page.is_first_angle;
-    const struct zr_page_box front = placed->layout.views[ZR_PAGE_FRONT], top = placed->layout.views[ZR_PAGE_TOP];
-    const struct zr_page_box low = is_first ? top : front;
     const double side = is_first ? 1.0 : -1.0, *sizes = placed->sizes;
     const double largest = fmax(sizes[0], fmax(sizes[1], sizes[2]));
-    const double front_edge = is_first ? front.x1 : front.x0, top_edge = is_first ? top.x1 : top.x0;
     double offsets[3] = {ZR_OVERALL_OFFSET, ZR_OVERALL_OFFSET, ZR_OVERALL_OFFSET};
     char texts[3][ZR_LENGTH_SIZE];
     for (int k = 0; k < 3; k++)
@@ -94,9 +130,9 @@ void zr_overall_add(struct zr_plot *plot, const struct zr_placed_views *placed, 
     if (is_first && placed->is_cut && placed->cut == ZR_PAGE_RIGHT) offsets[0] = ZR_OVERALL_OFFSET;
     zr_plot_begin(plot, "dimensions");
     const struct dimension all[3] = {
-        {low.x0, low.x1, low.y1 + offsets[0], low.y1, -1.0, false, texts[0]},
-        {front.y0, front.y1, front_edge + side * offsets[1], front_edge, -side, true, texts[1]},
-        {top.y0, top.y1, top_edge + side * offsets[2], top_edge, -side, true, texts[2]}};
+        dimension_of(placed, is_first ? ZR_PAGE_TOP : ZR_PAGE_FRONT, 0, 1.0, offsets[0], texts[0]),
+        dimension_of(placed, ZR_PAGE_FRONT, 1, side, offsets[1], texts[1]),
+        dimension_of(placed, ZR_PAGE_TOP, 1, side, offsets[2], texts[2])};
     for (int k = 0; k < 3; k++)
         boxes[k] = sizes[k] > 0.0 ? add_dimension(plot, &all[k]) : placed->page.title;
 }
