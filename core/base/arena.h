@@ -23,6 +23,7 @@ struct zr_cancel;
 
 struct zr_arena {
     size_t ceiling; /* bytes that one request may hold */
+    size_t whole;   /* for the arena of a view beside others: ceiling of its request, for messages; 0: `ceiling` */
     size_t used;    /* bytes allocated since the last reset, including padding and charges */
     size_t held;    /* `used`, plus the free bytes of all blocks except the current one */
     size_t peak;    /* maximum of `used` since the last reset */
