@@ -132,7 +132,7 @@ core_flags := -fPIC -fvisibility=hidden
 our_flags := $(subst ',,$(OURS) $(core_flags) $(kernel_flags) $(foreach isa,$(all_isas),$(kernel_$(isa))))
 $(core): OURS += $(core_flags)
 # The part of it that needs no library.
-renderer_rooms := base scene geometry mesh measure sections raster shade lines effects overlay render
+renderer_rooms := base scene geometry mesh measure sections raster shade lines effects overlay drawing render
 renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects) $(BUILD)/isas.o
 mutant_rooms := base geometry raster shade effects render

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drawing_rows.h"
 #include "keys.h"
 #include "options/parameters.h"
 #include "tables.h"
@@ -57,6 +58,26 @@ static void print_options(const struct command *command, size_t first, size_t en
     }
 }
 
+/* Prints the parameters of `zraster drawing`: those of drawings with their own help. */
+static void print_drawing_parameters(const struct command *command)
+{
+#define DRAWING(name, placeholder, help) {#name, placeholder, help},
+    static const struct {
+        const char *name, *value, *help;
+    } rows[] = {ZR_DRAWING_ROWS(DRAWING)};
+    enum { ROWS = sizeof rows / sizeof *rows };
+    for (size_t i = 0; i < PARAMETER_COUNT; i++) {
+        const struct parameter_row *p = &parameter_rows[i];
+        char flag[FLAG_SIZE];
+        size_t own = 0;
+        if (!options_has_parameter(command, (enum parameter)i)) continue;
+        while (own < ROWS && strcmp(rows[own].name, p->name) != 0)
+            own++;
+        options_flag_of(p->name, strlen(p->name), flag);
+        print_row(0, flag, own < ROWS ? rows[own].value : p->value, own < ROWS ? rows[own].help : p->help, "");
+    }
+}
+
 /* Prints the parameters that a command has; the names of the looks come before the help of `look`. */
 static void print_parameters(const struct command *command)
 {
@@ -88,7 +109,7 @@ static void print_end(void)
 
 void help_print(const struct command *command)
 {
-    const size_t general = 0 OUTPUT_OPTION_ROWS(COUNTED);
+    const size_t general = 0 OUTPUT_OPTION_ROWS(COUNTED) DRAWING_OPTION_ROWS(COUNTED);
     const bool is_drawing = strchr(DRAWING_COMMANDS, command->letter) != NULL;
     if (command == &commands[0]) {
         fputs(head, stdout);
@@ -98,12 +119,13 @@ void help_print(const struct command *command)
     } else
         printf("Usage: zraster %s%s%s\n%s\n", command->name, *command->arguments ? " " : "", command->arguments,
                command->summary);
-    if (strchr("ribcw", command->letter)) puts("\nOutput:");
+    if (strchr("ribcdw", command->letter)) puts("\nOutput:");
     print_options(command, 0, general);
     if (is_drawing) {
         puts("\nPicture:");
         print_parameters(command);
     }
+    if (command->run == command_drawing) print_drawing_parameters(command);
     puts("\nGeneral:");
     print_options(command, general, OPTION_COUNT);
     print_end();

@@ -311,6 +311,13 @@ static int check_values(struct options *options)
     return wrong;
 }
 
+bool options_has_parameter(const struct command *command, enum parameter parameter)
+{
+#define HAS(name) [PARAMETER_##name] = true,
+    static const bool of_drawings[PARAMETER_COUNT] = {DRAWING_PARAMETER_ROWS(HAS)};
+    return strchr(DRAWING_COMMANDS, command->letter) || (command->run == command_drawing && of_drawings[parameter]);
+}
+
 /* Refuses options of other commands. */
 static int check_commands(const struct options *options)
 {
@@ -326,7 +333,7 @@ static int check_commands(const struct options *options)
     }
     char flag[FLAG_SIZE];
     for (size_t i = 0; i < PARAMETER_COUNT; i++)
-        if (options->parameters[i] && !strchr(DRAWING_COMMANDS, command->letter)) {
+        if (options->parameters[i] && !options_has_parameter(command, (enum parameter)i)) {
             flag_of(i, flag);
             return options_wrong("%s is no option of \"zraster %s\"; \"zraster render\" has it", flag, command->name);
         }

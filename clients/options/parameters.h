@@ -23,4 +23,9 @@ extern const struct parameter_row parameter_rows[PARAMETER_COUNT];
 
 char parameter_letter(enum parameter parameter); /* 0: none */
 
+struct command;
+
+/* Returns true if a command has the option of a parameter. */
+bool options_has_parameter(const struct command *command, enum parameter parameter);
+
 #endif

@@ -61,6 +61,7 @@ typedef struct zraster zraster;                 /* a renderer: threads, limits, 
 typedef struct zraster_scene zraster_scene;     /* a scene that was read; never changes; may be drawn many times */
 typedef struct zraster_picture zraster_picture; /* the channels of a drawing */
 typedef struct zraster_comparison zraster_comparison; /* the numbers of two models */
+typedef struct zraster_drawing zraster_drawing;       /* a technical drawing */
 typedef struct zraster_error zraster_error;           /* faults, with their places */
 typedef struct zraster_cancel zraster_cancel;         /* a flag that stops calls */
 
@@ -250,6 +251,17 @@ ZRASTER_API int zraster_comparison_same(const zraster_comparison *comparison); /
  * the comparison's. */
 ZRASTER_API const zraster_scene *zraster_comparison_scene(const zraster_comparison *comparison);
 ZRASTER_API void zraster_comparison_free(zraster_comparison *comparison);
+
+/* ---- technical drawing ----
+ * Front, top, right and isometric view at one standard scale, with hidden lines, sizes, holes, a section if asked for, and
+ * a title block: "Technical drawings" in drawing.md. `query` may be NULL: "page=a4&section=x&title=Plate&format=png".
+ * `cancel` may be NULL. ZRASTER_BAD_SCENE: no faces, several views, or no room at the scale. */
+
+ZRASTER_API zraster_status zraster_drawing_make(const zraster_scene *scene, const char *query, zraster_cancel *cancel,
+                                                zraster_drawing **drawing, zraster_error **error);
+ZRASTER_API struct zraster_bytes zraster_drawing_file(const zraster_drawing *drawing); /* the drawing's */
+ZRASTER_API const char *zraster_drawing_warning(const zraster_drawing *drawing, size_t i); /* NULL behind the last */
+ZRASTER_API void zraster_drawing_free(zraster_drawing *drawing);
 
 /* ---- files that a file refers to ----
  * glTF, OBJ, MTL and scenes refer to other files, which a request needs as parts. Their names are paths from the folder

@@ -60,6 +60,7 @@ enum zr_status zr_drawing_make(const struct zr_run *run, const struct zr_drawing
 {
     const struct making m = {run, desc};
     const struct zr_window_view view = fine_view_of(desc);
+    const double straight = desc->straight > 0.0 ? desc->straight : ZR_POLYLINE_STRAIGHT;
     struct zr_edge_mesh *tables = NULL;
     uint8_t *features = NULL;
     struct zr_cells cells;
@@ -78,7 +79,7 @@ enum zr_status zr_drawing_make(const struct zr_run *run, const struct zr_drawing
     STAGE(zr_line_pieces_make(run, &out->mesh, &cells, &out->lines, &hidden, desc->has_hidden, &pieces));
     STAGE(zr_contour_steps_apply(run->arena, run->cancel, &cells, &pieces));
     STAGE(zr_coincident_join(run->arena, run->cancel, &pieces));
-    STAGE(zr_polylines_make(run->arena, run->cancel, &pieces, &out->polylines));
+    STAGE(zr_polylines_make(run->arena, run->cancel, &pieces, straight, &out->polylines));
     if (status == ZR_OK) scale_points(desc, &view, &out->polylines);
     return status;
 }

@@ -29,6 +29,7 @@ struct zr_drawing_desc {
     uint32_t width, height;         /* pixels */
     struct zr_feature_rule rule;
     bool has_hidden; /* hidden lines are drawn as well */
+    double straight; /* points closer to a straight line go: fine pixels; 0: ZR_POLYLINE_STRAIGHT */
 };
 
 /* A drawing before strokes. */

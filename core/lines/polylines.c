@@ -3,12 +3,13 @@
 #include "base/cancel.h"
 #include "lines/links.h"
 
-static const double speck_visible = 12.0, speck_hidden = 3.0, straight = 0.02;
+static const double speck_visible = 12.0, speck_hidden = 3.0;
 
 struct joining {
     struct zr_arena *arena;
     const struct zr_cancel *cancel;
     const struct zr_line_pieces *pieces;
+    double straight;
     uint32_t count, *numbers; /* of the pieces that are drawn */
     struct zr_segment *segments;
     struct zr_links links, near; /* `near`: of ends within a pixel */
@@ -125,7 +126,7 @@ static double distance_of(const double p[2], const double from[2], const double 
 
 /* Removes points near the chord of the last kept one and the next. All points since the last kept one are compared, so
  * that errors do not add up; from 16 points on, one is kept. */
-static void simplify(struct zr_polylines *out, struct zr_polyline *line)
+static void simplify(struct zr_polylines *out, double straight, struct zr_polyline *line)
 {
     enum { SINCE_MOST = 16 };
     double(*points)[2] = out->points + line->first;
@@ -162,13 +163,13 @@ static void add_polyline(const struct joining *j, uint32_t first)
         end = zr_links_next(&j->links, end);
     } while (end != ZR_NO_END && end != first);
     line->count = out->point_count - line->first;
-    simplify(out, line);
+    simplify(out, j->straight, line);
 }
 
 enum zr_status zr_polylines_make(struct zr_arena *arena, const struct zr_cancel *cancel,
-                                 const struct zr_line_pieces *pieces, struct zr_polylines *out)
+                                 const struct zr_line_pieces *pieces, double straight, struct zr_polylines *out)
 {
-    struct joining j = {.arena = arena, .cancel = cancel, .pieces = pieces, .out = out};
+    struct joining j = {.arena = arena, .cancel = cancel, .pieces = pieces, .straight = straight, .out = out};
     *out = (struct zr_polylines){0};
     if (!make_segments(&j)) return ZR_NO_MEMORY;
     enum zr_status status = zr_links_make(arena, cancel, j.segments, j.count, &j.links);

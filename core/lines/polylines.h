@@ -3,7 +3,7 @@
  * Space:  window, pixels, y up.
  * How:    pieces of one class are linked (links.h). Visible lines with no ends of others within a pixel of theirs, and
  *         nowhere at the background, are specks if they are shorter than 12 pixels in all; hidden lines, if shorter
- *         than 3. Specks go. Points within 0.02 pixel of the chord of their neighbours go.
+ *         than 3. Specks go. Points within `straight` pixels of the chord of their neighbours go.
  * Exact:  in the order of pieces. */
 #ifndef ZR_POLYLINES_H
 #define ZR_POLYLINES_H
@@ -30,8 +30,10 @@ struct zr_polylines {
     double (*points)[2];
 };
 
+#define ZR_POLYLINE_STRAIGHT 0.02 /* pixel: the usual `straight` */
+
 /* Returns ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_polylines_make(struct zr_arena *arena, const struct zr_cancel *cancel,
-                                 const struct zr_line_pieces *pieces, struct zr_polylines *out);
+                                 const struct zr_line_pieces *pieces, double straight, struct zr_polylines *out);
 
 #endif

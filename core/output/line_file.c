@@ -1,31 +1,17 @@
 #include "output/line_file.h"
 
-#include <string.h>
-
 #include "lines/line_sheet.h"
 #include "overlay/annotate/annotate.h"
+#include "overlay/annotate/length_text.h"
 #include "output/svg.h"
 #include "scene/picture.h"
-
-/* Returns the millimetres of a unit of zr_file_facts; 0: unknown. */
-static double millimetres_of(const char *unit)
-{
-    static const struct {
-        const char *name;
-        double millimetres;
-    } units[] = {{"micron", 1e-3}, {"millimetre", 1.0}, {"centimetre", 10.0},
-                 {"inch", 25.4},   {"foot", 304.8},     {"metre", 1000.0}};
-    for (size_t i = 0; unit && i < sizeof units / sizeof *units; i++)
-        if (strcmp(units[i].name, unit) == 0) return units[i].millimetres;
-    return 0.0;
-}
 
 bool zr_line_file_write(const struct zr_scene *scene, const struct zr_frame *frame, struct zr_buffer *out)
 {
     const struct zr_line_sheet *sheet = frame->lines;
     const struct zr_edges *edges = &scene->picture->edges;
     const zr_vec3 paper = {scene->background.x, scene->background.y, scene->background.z};
-    const double millimetres = sheet->pixel > 0.0 ? millimetres_of(scene->file.unit) : 0.0;
+    const double millimetres = sheet->pixel > 0.0 ? zr_unit_millimetres(scene->file.unit) : 0.0;
     const double width = (double)zr_stroke_width(edges->width, frame->width, frame->height);
     struct zr_svg_desc desc = {.lines = &sheet->lines,
                                .parts = sheet->parts,

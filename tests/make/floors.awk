@@ -14,11 +14,11 @@ BEGIN {
     # Floors, the lowest first, are separated by "|". A floor has folders that do not include each other, separated by
     # ";". The rooms of a folder, the lowest first, are separated by ","; those beside each other by a blank. The two
     # public headers need base only, and all above it may include them.
-    floors = split("base/simd, base | core.h render_request.h version.h format_rows.h parameter_rows.h parameter_kinds.h | scene, scene/parts, scene/camera |" \
+    floors = split("base/simd, base | core.h render_request.h version.h format_rows.h parameter_rows.h parameter_kinds.h drawing_rows.h | scene, scene/parts, scene/camera |" \
         "input/text, input/formats, input/zip, input/files, input/json, input/images input/codecs, input/model," \
         "input/gltf input/obj input/ply input/points input/stl input/threemf, input/scene, input/mesh, input/view, input/root, input/query;" \
         "geometry | mesh, mesh/facts, mesh/features | measure | sections | raster, raster/textbook | shade/lights, shade/models, shade/eye, shade, shade/channels |" \
-        "lines; effects; overlay, overlay/annotate | render/layers, render | output/bytes, output/images output/json, output | cost | request | views; schema | api", storeys, "|")
+        "lines; effects; overlay, overlay/annotate | drawing | render/layers, render | output/bytes, output/images output/json, output | cost | request | views; schema | api", storeys, "|")
     for (i = 1; i <= floors; i++) {
         n = split(storeys[i], folders, ";")
         for (k = 1; k <= n; k++) {

@@ -46,13 +46,32 @@ void zr_length_write(double length, double largest, const char *unit, char out[Z
     snprintf(out, ZR_LENGTH_SIZE, "%s%s%s", number, *unit ? " " : "", unit);
 }
 
+static const struct {
+    const char *name, *sign;
+    double millimetres;
+} units[] = {{"millimetre", "mm", 1.0},        {"centimetre", "cm", 10.0}, {"metre", "m", 1000.0},
+             {"micron", "\xc2\xb5m", 1e-3}, {"inch", "in", 25.4},       {"foot", "ft", 304.8}};
+enum { UNITS = sizeof units / sizeof *units };
+
+/* Returns the number of a unit, or UNITS. */
+static size_t unit_of(const char *name)
+{
+    size_t i = 0;
+    while (i < UNITS && !(name && strcmp(name, units[i].name) == 0))
+        i++;
+    return i;
+}
+
 const char *zr_unit_sign(const char *unit)
 {
-    static const char *const signs[][2] = {{"millimetre", "mm"},    {"centimetre", "cm"}, {"metre", "m"},
-                                           {"micron", "\xc2\xb5m"}, {"inch", "in"},       {"foot", "ft"}};
-    for (size_t i = 0; unit && i < sizeof signs / sizeof *signs; i++)
-        if (strcmp(unit, signs[i][0]) == 0) return signs[i][1];
-    return "";
+    const size_t i = unit_of(unit);
+    return i < UNITS ? units[i].sign : "";
+}
+
+double zr_unit_millimetres(const char *unit)
+{
+    const size_t i = unit_of(unit);
+    return i < UNITS ? units[i].millimetres : 0.0;
 }
 
 double zr_length_round(double most, int *digit)

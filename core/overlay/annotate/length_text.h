@@ -13,6 +13,9 @@ void zr_length_write(double length, double largest, const char *unit, char out[Z
 /* Returns the sign of a unit of zr_file_facts, such as "mm", or "" for none. */
 const char *zr_unit_sign(const char *unit);
 
+/* Returns the millimetres of such a unit; 0: unknown. */
+double zr_unit_millimetres(const char *unit);
+
 /* Returns the largest 1, 2 or 5 times a power of ten that is at most `most` > 0, and its first digit. */
 double zr_length_round(double most, int *digit);
 

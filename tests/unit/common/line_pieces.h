@@ -14,7 +14,7 @@ static inline struct zr_polylines join(struct zr_arena *arena, struct zr_line_pi
 {
     const struct zr_line_pieces pieces = {.count = count, .at = at};
     struct zr_polylines out;
-    assert_int_equal(zr_polylines_make(arena, NULL, &pieces, &out), ZR_OK);
+    assert_int_equal(zr_polylines_make(arena, NULL, &pieces, ZR_POLYLINE_STRAIGHT, &out), ZR_OK);
     return out;
 }
 

@@ -1,0 +1,266 @@
+#include "drawing/hole_notes.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "drawing/overall.h"
+#include "overlay/annotate/length_text.h"
+#include "overlay/type.h"
+
+/* ---- texts ---- */
+
+struct writing {
+    const struct zr_placed_views *placed;
+    char *text;
+    size_t used;
+};
+
+__attribute__((format(printf, 2, 3))) static void add(struct writing *w, const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    const int length = vsnprintf(w->text + w->used, ZR_NOTE_SIZE - w->used, format, values);
+    va_end(values);
+    if (length > 0) w->used += (size_t)length;
+    if (w->used >= ZR_NOTE_SIZE) w->used = ZR_NOTE_SIZE - 1;
+}
+
+static void add_length(struct writing *w, const char *before, double length)
+{
+    const double *sizes = w->placed->sizes;
+    char text[ZR_LENGTH_SIZE];
+    zr_length_write(w->placed->unit * length, fmax(sizes[0], fmax(sizes[1], sizes[2])), "", text);
+    add(w, "%s%s", before, text);
+}
+
+/* Writes the text without the count. */
+static void write_text(const struct zr_placed_views *placed, const struct zr_hole *hole, char text[ZR_NOTE_SIZE])
+{
+    struct writing w = {.placed = placed, .text = text};
+    if (hole->coverage < 270.0)
+        add_length(&w, "R", 0.5 * hole->diameter);
+    else
+        add_length(&w, "\xc3\xb8", hole->diameter);
+    if (hole->reach == ZR_REACH_THROUGH) add(&w, " through");
+    if (hole->reach == ZR_REACH_BLIND) add_length(&w, " depth ", hole->depth);
+    for (uint32_t i = 0; i < hole->step_count; i++) {
+        add_length(&w, ", \xc3\xb8", hole->steps[i].diameter);
+        if (hole->steps[i].angle > 0.0)
+            add(&w, " \xc3\x97 %.0f\xc2\xb0", hole->steps[i].angle);
+        else
+            add_length(&w, " depth ", hole->steps[i].depth);
+    }
+}
+
+/* ---- groups ---- */
+
+/* Returns the view that sees a hole along its axis; ZR_PAGE_ISOMETRIC: none does. */
+static enum zr_page_view view_of(const struct zr_placed_views *placed, const struct zr_part_hole *hole)
+{
+    for (int view = 0; view < ZR_PAGE_ISOMETRIC; view++) {
+        if (zr_hole_side_of(placed, (enum zr_page_view)view, hole) != ZR_HOLE_ROUND) continue;
+        const bool opens_away = zr_dvec3_dot(placed->views[view].axes.back, hole->hole.axis) > 0.0;
+        const bool is_hidden = opens_away && hole->hole.reach != ZR_REACH_THROUGH;
+        if (!is_hidden || (placed->has_hidden && !(placed->is_cut && (int)placed->cut == view)))
+            return (enum zr_page_view)view;
+    }
+    return ZR_PAGE_ISOMETRIC;
+}
+
+void zr_hole_notes_list(const struct zr_placed_views *placed, const struct zr_part_holes *holes,
+                        struct zr_hole_notes *out)
+{
+    out->count = 0;
+    for (uint32_t i = 0; i < holes->count; i++) {
+        const enum zr_page_view view = view_of(placed, &holes->at[i]);
+        char text[ZR_NOTE_SIZE];
+        uint32_t n = 0;
+        if (view == ZR_PAGE_ISOMETRIC) continue;
+        write_text(placed, &holes->at[i].hole, text);
+        while (n < out->count && !(out->at[n].view == view && strcmp(out->at[n].text, text) == 0))
+            n++;
+        if (n == ZR_NOTES_MAX) continue;
+        struct zr_hole_note *note = &out->at[n];
+        if (n == out->count) {
+            *note = (struct zr_hole_note){.view = view};
+            memcpy(note->text, text, sizeof text);
+            out->count++;
+        }
+        note->count++;
+        if (note->held < ZR_NOTE_HOLES_MAX) note->holes[note->held++] = i;
+    }
+}
+
+/* ---- places ---- */
+
+enum { BOXES_MAX = ZR_NOTES_MAX + 32, LEADERS_MAX = 2 * ZR_NOTES_MAX, ROWS = 6, SIDE_ROWS = 24, SLOPES = 4 };
+
+static const double beside = 8.0, away = 14.0, other_half = 10.0, rim = 1.0;
+
+struct leader {
+    struct zr_point from, to;
+};
+
+struct placing {
+    struct zr_plot *plot;
+    const struct zr_placed_views *placed;
+    const struct zr_part_holes *holes;
+    uint32_t box_count, leader_count;
+    struct zr_page_box boxes[BOXES_MAX];
+    struct leader leaders[LEADERS_MAX];
+};
+
+/* A place of a note: the leader goes from the rim of a hole to the elbow, and the text runs from there to the left or to
+ * the right on a shelf. */
+struct place {
+    double cost;
+    struct zr_point center, elbow, rim;
+    double side; /* 1: to the right */
+};
+
+static bool overlap(struct zr_page_box a, struct zr_page_box b)
+{
+    return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+
+static double turn(struct zr_point a, struct zr_point b, struct zr_point c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+static bool cross(struct leader a, struct leader b)
+{
+    return (turn(a.from, a.to, b.from) > 0.0) != (turn(a.from, a.to, b.to) > 0.0) &&
+           (turn(b.from, b.to, a.from) > 0.0) != (turn(b.from, b.to, a.to) > 0.0);
+}
+
+/* True if a line has a point in a box: an end, or a crossing with a diagonal. */
+static bool meets(struct leader line, struct zr_page_box box)
+{
+    const struct leader one = {{box.x0, box.y0}, {box.x1, box.y1}}, other = {{box.x0, box.y1}, {box.x1, box.y0}};
+    const bool has_end = line.to.x > box.x0 && line.to.x < box.x1 && line.to.y > box.y0 && line.to.y < box.y1;
+    return has_end || cross(line, one) || cross(line, other);
+}
+
+static struct zr_page_box text_box(const struct place *place, double width)
+{
+    const double x0 = place->side > 0.0 ? place->elbow.x : place->elbow.x - width;
+    return (struct zr_page_box){x0 - rim, place->elbow.y - ZR_DRAWING_TEXT - 2.0, x0 + width + rim,
+                                place->elbow.y + rim};
+}
+
+static bool is_free(const struct placing *p, const struct place *place, double width)
+{
+    const struct zr_page_box box = text_box(place, width), frame = p->placed->page.frame;
+    const struct leader leader = {place->rim, place->elbow};
+    if (box.x0 < frame.x0 + 2.0 || box.x1 > frame.x1 - 2.0 || box.y0 < frame.y0 + 2.0 || box.y1 > frame.y1 - 2.0)
+        return false;
+    for (uint32_t i = 0; i < p->box_count; i++)
+        if (overlap(box, p->boxes[i])) return false;
+    for (uint32_t i = ZR_PAGE_VIEWS; i < p->box_count; i++)
+        if (meets(leader, p->boxes[i])) return false;
+    for (uint32_t i = 0; i < p->leader_count; i++)
+        if (cross(leader, p->leaders[i]) || meets(p->leaders[i], box)) return false;
+    return true;
+}
+
+/* Completes a place whose elbow and side are set, and takes it if it is free and cheaper than the best one. */
+static void offer(const struct placing *p, const struct zr_part_hole *hole, struct place place, double width,
+                  struct place *best)
+{
+    const double x = place.elbow.x - place.center.x, y = place.elbow.y - place.center.y;
+    const double length = sqrt(x * x + y * y), radius = zr_placed_factor(p->placed) * 0.5 * hole->hole.diameter;
+    if (!(length > radius + 3.0)) return;
+    place.rim = (struct zr_point){place.center.x + radius * (x / length), place.center.y + radius * (y / length)};
+    place.cost += length;
+    if (place.cost < best->cost && is_free(p, &place, width)) *best = place;
+}
+
+/* Offers places above the view. */
+static void offer_above(const struct placing *p, const struct zr_hole_note *note, const struct zr_part_hole *hole,
+                        double width, struct place *best)
+{
+    static const double slopes[SLOPES] = {0.58, 1.0, 0.36, 0.18}, costs[SLOPES] = {0.0, 1.0, 4.0, 8.0};
+    const struct zr_page_box view = p->placed->layout.views[note->view];
+    const struct zr_point center = zr_placed_world(p->placed, note->view, hole->ends[0]);
+    const bool is_left = center.x < 0.5 * (view.x0 + view.x1);
+    for (int row = 0; row < ROWS; row++)
+        for (int slope = 0; slope < SLOPES; slope++)
+            for (int k = 0; k < 2; k++) {
+                const double side = (k == 0) == is_left ? -1.0 : 1.0;
+                const double y = view.y0 - ZR_PAGE_NOTE_FIRST - ZR_PAGE_NOTE_ROW * row;
+                const struct place place = {.cost = costs[slope] + (k == 0 ? 0.0 : other_half),
+                                            .center = center,
+                                            .elbow = {center.x + side * slopes[slope] * (center.y - y), y},
+                                            .side = side};
+                offer(p, hole, place, width, best);
+            }
+}
+
+/* Offers places at both sides of the view. */
+static void offer_beside(const struct placing *p, const struct zr_hole_note *note, const struct zr_part_hole *hole,
+                         double width, struct place *best)
+{
+    const struct zr_page_box view = p->placed->layout.views[note->view];
+    const struct zr_point center = zr_placed_world(p->placed, note->view, hole->ends[0]);
+    for (int row = -2; row < SIDE_ROWS; row++)
+        for (int k = 0; k < 2; k++) {
+            const double side = k == 0 ? 1.0 : -1.0, y = view.y0 + ZR_PAGE_NOTE_ROW * row;
+            const struct place place = {.cost = away,
+                                        .center = center,
+                                        .elbow = {(k == 0 ? view.x1 : view.x0) + side * beside, y},
+                                        .side = side};
+            if (y < view.y1 + 2.0 * ZR_PAGE_NOTE_ROW) offer(p, hole, place, width, best);
+        }
+}
+
+static void take(struct placing *p, const struct place *place, const char *text, double width)
+{
+    const struct zr_page_box box = text_box(place, width);
+    const double x = place->rim.x - place->center.x, y = place->rim.y - place->center.y, length = sqrt(x * x + y * y);
+    const double x0 = place->side > 0.0 ? place->elbow.x : place->elbow.x - width;
+    const struct zr_point points[] = {place->rim, place->elbow, {place->elbow.x + place->side * width, place->elbow.y}};
+    zr_plot_add_line(p->plot, ZR_PLOT_DIMENSION, points, 3);
+    zr_plot_add_arrow(p->plot, place->rim, 0.0 - x / length, 0.0 - y / length);
+    zr_plot_add_text(p->plot, text, (struct zr_point){x0, place->elbow.y - 1.0}, ZR_DRAWING_TEXT, false);
+    p->boxes[p->box_count++] = box;
+    p->leaders[p->leader_count++] = (struct leader){place->rim, place->elbow};
+}
+
+static bool place_note(struct placing *p, const struct zr_hole_note *note)
+{
+    char text[ZR_NOTE_SIZE + 16];
+    struct place best = {.cost = HUGE_VAL};
+    if (note->count > 1)
+        snprintf(text, sizeof text, "%u\xc3\x97 %s", note->count, note->text);
+    else
+        snprintf(text, sizeof text, "%s", note->text);
+    const double width = zr_type_width(text, ZR_DRAWING_TEXT);
+    for (uint32_t i = 0; i < note->held; i++) {
+        offer_above(p, note, &p->holes->at[note->holes[i]], width, &best);
+        offer_beside(p, note, &p->holes->at[note->holes[i]], width, &best);
+    }
+    if (best.cost < HUGE_VAL) take(p, &best, text, width);
+    return best.cost < HUGE_VAL;
+}
+
+void zr_hole_notes_add(struct zr_plot *plot, const struct zr_placed_views *placed, const struct zr_part_holes *holes,
+                       const struct zr_hole_notes *notes, const struct zr_page_box *boxes, uint32_t box_count,
+                       struct zr_arena *texts, struct zr_warning_list *warnings)
+{
+    struct placing p = {.plot = plot, .placed = placed, .holes = holes};
+    const double grown = 2.0;
+    for (int view = 0; view < ZR_PAGE_VIEWS; view++) {
+        const struct zr_page_box box = placed->layout.views[view];
+        p.boxes[p.box_count++] = (struct zr_page_box){box.x0 - grown, box.y0 - grown, box.x1 + grown, box.y1 + grown};
+    }
+    p.boxes[p.box_count++] = placed->page.title;
+    for (uint32_t i = 0; i < box_count; i++)
+        p.boxes[p.box_count++] = boxes[i];
+    zr_plot_begin(plot, "notes");
+    for (uint32_t i = 0; i < notes->count; i++)
+        if (!place_note(&p, &notes->at[i]))
+            zr_warning_list_add(texts, warnings, "no room for the note of %u holes, %s", notes->at[i].count,
+                                notes->at[i].text);
+}

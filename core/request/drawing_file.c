@@ -1,0 +1,184 @@
+#include "request/drawing_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/memory_error.h"
+#include "drawing/technical_drawing.h"
+#include "drawing_rows.h"
+#include "input/query/query_text.h"
+#include "output/plot_png.h"
+#include "output/plot_svg.h"
+
+#define DPI_USUAL 150.0
+
+struct wanted {
+    struct zr_technical_options options;
+    bool is_png;
+    double dpi;
+};
+
+/* Each reads a value. False: it is not one of those that `needs` names. */
+static bool read_page(const char *value, struct wanted *out)
+{
+    out->options.page = strcmp(value, "a4") == 0 ? ZR_PAGE_A4 : ZR_PAGE_A3;
+    return strcmp(value, "a4") == 0 || strcmp(value, "a3") == 0;
+}
+
+static bool read_scale(const char *value, struct wanted *out)
+{
+    return zr_page_scale_read(value, &out->options.scale);
+}
+
+static bool read_projection(const char *value, struct wanted *out)
+{
+    out->options.is_first_angle = strcmp(value, "first") == 0;
+    return out->options.is_first_angle || strcmp(value, "third") == 0;
+}
+
+/* Reads a number without sign and exponent. */
+static bool read_number(const char *value, double *out)
+{
+    char *end;
+    if (*value == '\0' || value[strspn(value, "0123456789.")] != '\0') return false;
+    *out = strtod(value, &end);
+    return *end == '\0';
+}
+
+static bool read_section(const char *value, struct wanted *out)
+{
+    const bool is_axis = *value >= 'x' && *value <= 'z';
+    out->options.cut_at = 0.5;
+    if (!is_axis || (value[1] != '\0' && value[1] != ':')) return false;
+    out->options.cut = (enum zr_cut_axis)(ZR_CUT_X + (*value - 'x'));
+    if (value[1] == '\0') return true;
+    return read_number(value + 2, &out->options.cut_at) && out->options.cut_at > 0.0 && out->options.cut_at < 1.0;
+}
+
+static bool read_hidden(const char *value, struct wanted *out)
+{
+    out->options.has_hidden = strcmp(value, "true") == 0;
+    return out->options.has_hidden || strcmp(value, "false") == 0;
+}
+
+static bool read_title(const char *value, struct wanted *out)
+{
+    out->options.title = value;
+    return true;
+}
+
+static bool read_date(const char *value, struct wanted *out)
+{
+    out->options.date = value;
+    return true;
+}
+
+static bool read_format(const char *value, struct wanted *out)
+{
+    out->is_png = strcmp(value, "png") == 0;
+    return out->is_png || strcmp(value, "svg") == 0;
+}
+
+static bool read_dpi(const char *value, struct wanted *out)
+{
+    return read_number(value, &out->dpi) && out->dpi >= ZR_PLOT_DPI_LEAST && out->dpi <= ZR_PLOT_DPI_MOST;
+}
+
+#define PARAMETER(name, placeholder, help) {#name, placeholder, read_##name},
+static const struct {
+    const char *name, *needs;
+    bool (*read)(const char *value, struct wanted *out);
+} parameters[] = {ZR_DRAWING_ROWS(PARAMETER)};
+enum { PARAMETERS = sizeof parameters / sizeof *parameters };
+#undef PARAMETER
+
+/* Returns the number of the parameter, or PARAMETERS. */
+static size_t parameter_of(const char *text)
+{
+    const size_t size = strcspn(text, "=&");
+    size_t i = 0;
+    while (i < PARAMETERS && !(strlen(parameters[i].name) == size && memcmp(text, parameters[i].name, size) == 0))
+        i++;
+    return i;
+}
+
+bool zr_drawing_has_parameter(const char *text)
+{
+    return parameter_of(text) < PARAMETERS;
+}
+
+static enum zr_status read_parameter(struct zr_arena *arena, const char *text, size_t size, struct wanted *out,
+                                     struct zr_error *error)
+{
+    const size_t number = parameter_of(text);
+    const char *equals = memchr(text, '=', size);
+    const char *value = equals ? equals + 1 : text + size;
+    const size_t length = size - (size_t)(value - text);
+    char *decoded = zr_arena_zero(arena, length + 1, 1);
+    if (!decoded) return ZR_NO_MEMORY;
+    if (number == PARAMETERS) {
+#define NAME(name, ...) " " #name
+        return zr_error_add(error, ZR_BAD_REQUEST, NULL,
+                            "unknown parameter; those of drawings are:" ZR_DRAWING_ROWS(NAME));
+#undef NAME
+    }
+    if (!zr_percent_decode(decoded, value, length) || !parameters[number].read(decoded, out))
+        return zr_error_add(error, ZR_BAD_REQUEST, NULL, "parameter %s: %.100s is not %s", parameters[number].name,
+                            decoded, parameters[number].needs);
+    return ZR_OK;
+}
+
+static enum zr_status read_query(struct zr_arena *arena, const char *query, struct wanted *out, struct zr_error *error)
+{
+    enum zr_status status = ZR_OK;
+    *out =
+        (struct wanted){.options = {.page = ZR_PAGE_A3, .has_hidden = true, .title = "", .date = ""}, .dpi = DPI_USUAL};
+    while (query && *query && status == ZR_OK) {
+        const size_t size = strcspn(query, "&");
+        if (size > 0) status = read_parameter(arena, query, size, out, error);
+        query += size + (query[size] == '&');
+    }
+    return status;
+}
+
+double zr_drawing_cost_ms(const struct zr_scene *scene, const char *query)
+{
+    double triangles = 0.0;
+    (void)query;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        triangles += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
+    }
+    return 50.0 + 0.012 * triangles;
+}
+
+static enum zr_status make(const struct zr_run *run, const struct zr_scene *scene, const struct wanted *wanted,
+                           struct zr_drawing_file *out)
+{
+    const struct zr_run inner = zr_run_in(run, run->scratch);
+    struct zr_buffer buffer = {.arena = run->arena};
+    struct zr_plot plot;
+    for (uint32_t i = 0; i < scene->warning_count; i++)
+        zr_warning_list_add(run->arena, &out->warnings, "%s", scene->warnings[i]);
+    enum zr_status status = zr_technical_drawing_make(&inner, scene, &wanted->options, &plot, &out->warnings);
+    if (status == ZR_OK)
+        status = wanted->is_png ? zr_plot_png_write(&inner, &plot, wanted->dpi, &buffer)
+                                : zr_plot_svg_write(&plot, run->cancel, &buffer);
+    out->bytes = buffer.bytes;
+    out->size = buffer.size;
+    out->content_type = wanted->is_png ? "image/png" : "image/svg+xml";
+    return status;
+}
+
+enum zr_status zr_drawing_file_make(const struct zr_run *run, const struct zr_scene *scene, const char *query,
+                                    struct zr_drawing_file *out)
+{
+    struct wanted wanted;
+    *out = (struct zr_drawing_file){.bytes = NULL};
+    enum zr_status status = read_query(run->scratch, query, &wanted, run->error);
+    if (status == ZR_OK) status = make(run, scene, &wanted, out);
+    if (status == ZR_NO_MEMORY && run->error->count == 0)
+        zr_memory_error_add(run->error, zr_arena_ok(run->scratch) ? run->arena : run->scratch, "drawing", "");
+    return status;
+}
