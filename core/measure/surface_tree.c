@@ -18,6 +18,10 @@ enum {
 /* Share of the radius of a ball without surface that is free of rounding errors. */
 #define SAFE 0.999999
 
+/* Places nearer to the surface than this, relative to the diagonal, may be at its wrong side by rounding errors: no
+ * others are decided by them. */
+#define LEAST 1e-9
+
 static bool is_due(const struct zr_run *run, size_t i)
 {
     return i % ITEMS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(run->cancel);
@@ -347,9 +351,15 @@ bool zr_surface_tree_within(const struct zr_surface_tree *tree, struct zr_world_
 
 /* ---- inside ---- */
 
-/* Returns 1 or -1 if the ray from `at` along d leaves or enters through a triangle, else 0. */
-static int cross(const struct zr_ray_grid *grid, const struct zr_world_place t[3], const double at[3])
+/* The begin of a ray in its frame, and the height of its end. */
+struct seen {
+    double at[3], end;
+};
+
+/* Returns 1 or -1 if the ray leaves or enters through a triangle, else 0. */
+static int cross(const struct zr_ray_grid *grid, const struct zr_world_place t[3], const struct seen *ray)
 {
+    const double *at = ray->at;
     struct zr_ray_facet f;
     double rise = 0.0, fall = 0.0;
     int found = 0;
@@ -368,62 +378,98 @@ static int cross(const struct zr_ray_grid *grid, const struct zr_world_place t[3
     if (found != 2 || (rise <= at[0]) == (fall <= at[0])) return 0;
     zr_ray_facet_plane(&f);
     const double d = f.du * (at[0] - f.at[0].u) + f.dv * (at[1] - f.at[0].v);
-    if (f.at[0].d + (d > f.low ? d < f.high ? d : f.high : f.low) <= at[2]) return 0;
+    const double height = f.at[0].d + (d > f.low ? d < f.high ? d : f.high : f.low);
+    if (height <= at[2] || height > ray->end) return 0;
     return rise <= at[0] ? -1 : 1;
 }
 
+/* A ray, or a segment if `length` is not HUGE_VAL. */
+struct ray {
+    struct zr_ray_grid grid; /* u, v and d alone */
+    double from[3], length;
+};
+
 /* Returns true if the ray meets a box. `pad`: more than the rounding errors. */
-static bool meets(const struct zr_surface_box *box, const double from[3], const double along_ray[3], double pad)
+static bool meets(const struct zr_surface_box *box, const struct ray *ray, const double along_ray[3], double pad)
 {
-    double low = -pad, high = HUGE_VAL;
+    double low = -pad, high = ray->length + pad;
     for (int k = 0; k < 3; k++) {
-        const double a = ((double)box->min[k] - pad - from[k]) / along_ray[k],
-                     b = ((double)box->max[k] + pad - from[k]) / along_ray[k];
+        const double a = ((double)box->min[k] - pad - ray->from[k]) / along_ray[k],
+                     b = ((double)box->max[k] + pad - ray->from[k]) / along_ray[k];
         low = zr_most_of(low, zr_least_of(a, b));
         high = zr_least_of(high, zr_most_of(a, b));
     }
     return low <= high;
 }
 
-int zr_surface_tree_winding(const struct zr_surface_tree *tree, struct zr_world_place at, uint64_t *steps)
+/* Returns the sum of crossings: those that leave count 1, and those that enter -1. */
+static int sum_crossings(const struct zr_surface_tree *tree, const struct ray *ray, uint64_t *steps)
 {
-    static const double unit[3] = {1, 1, 1};
-    struct zr_ray_grid grid;
-    zr_ray_grid_turn(&grid, 0, unit);
-    const double from[3] = {at.x, at.y, at.z}, ray[3] = {grid.d.x, grid.d.y, grid.d.z},
-                 local[3] = {zr_world_place_dot(grid.u, at), zr_world_place_dot(grid.v, at),
-                             zr_world_place_dot(grid.d, at)};
+    const struct zr_ray_grid *grid = &ray->grid;
+    const struct zr_world_place at = {ray->from[0], ray->from[1], ray->from[2]};
+    const double along_ray[3] = {grid->d.x, grid->d.y, grid->d.z};
+    const struct seen seen = {
+        {zr_world_place_dot(grid->u, at), zr_world_place_dot(grid->v, at), zr_world_place_dot(grid->d, at)},
+        zr_world_place_dot(grid->d, at) + ray->length};
     const double far = zr_most_of(fabs(at.x), zr_most_of(fabs(at.y), fabs(at.z)));
     const double pad = 1e-9 * zr_most_of(tree->solid->diagonal, far);
     uint32_t stack[DEPTH] = {1};
     uint64_t visits = 1;
-    int winding = 0;
-    for (int depth = meets(&tree->boxes[1], from, ray, pad) ? 1 : 0; depth > 0 && !is_ended(tree, visits); visits++) {
+    int sum = 0;
+    for (int depth = meets(&tree->boxes[1], ray, along_ray, pad) ? 1 : 0; depth > 0 && !is_ended(tree, visits);
+         visits++) {
         const uint32_t node = stack[--depth];
         if (node >= tree->leaf_count) {
             const uint32_t begin = tree->begins[node - tree->leaf_count];
             for (uint32_t i = begin; i < tree->solid->count && i < begin + ZR_SURFACE_LEAF; i++, visits++)
-                winding += cross(&grid, tree->faces[i].at, local);
+                sum += cross(grid, tree->faces[i].at, &seen);
             continue;
         }
         for (uint32_t child = 2 * node; child <= 2 * node + 1; child++)
-            if (meets(&tree->boxes[child], from, ray, pad)) stack[depth++] = child;
+            if (meets(&tree->boxes[child], ray, along_ray, pad)) stack[depth++] = child;
     }
     *steps += visits;
-    return winding;
+    return sum;
+}
+
+int zr_surface_tree_winding(const struct zr_surface_tree *tree, struct zr_world_place at, uint64_t *steps)
+{
+    static const double unit[3] = {1, 1, 1};
+    struct ray ray = {.from = {at.x, at.y, at.z}, .length = HUGE_VAL};
+    zr_ray_grid_turn(&ray.grid, 0, unit);
+    return sum_crossings(tree, &ray, steps);
+}
+
+/* Returns the difference of the winding numbers of two places. */
+static int difference_of(const struct zr_surface_tree *tree, struct zr_world_place from, struct zr_world_place to,
+                         uint64_t *steps)
+{
+    const struct zr_world_place way = zr_world_place_minus(to, from);
+    const double length = sqrt(zr_world_place_dot(way, way)), x = fabs(way.x), y = fabs(way.y), z = fabs(way.z);
+    const bool is_x = x <= y && x <= z, is_y = !is_x && y <= z;
+    const struct zr_world_place axis = {is_x, is_y, !is_x && !is_y};
+    struct ray ray = {.from = {from.x, from.y, from.z}, .length = length};
+    ray.grid.d = (struct zr_world_place){way.x / length, way.y / length, way.z / length};
+    const struct zr_world_place across = zr_world_place_cross(axis, ray.grid.d);
+    const double size = sqrt(zr_world_place_dot(across, across));
+    ray.grid.u = (struct zr_world_place){across.x / size, across.y / size, across.z / size};
+    ray.grid.v = zr_world_place_cross(ray.grid.d, ray.grid.u);
+    return sum_crossings(tree, &ray, steps);
 }
 
 int zr_surface_tree_winding_beside(const struct zr_surface_tree *tree, struct zr_world_place at, double distance,
                                    struct zr_surface_ball *last, uint64_t *steps)
 {
+    const double least = LEAST * tree->solid->diagonal;
     const struct zr_world_place way = zr_world_place_minus(at, last->at);
-    const double radius = SAFE * zr_most_of(distance, last->radius);
-    if (!last->is_known || !(zr_world_place_dot(way, way) < radius * radius))
-        last->winding = zr_surface_tree_winding(tree, at, steps);
-    last->is_known = true;
-    last->at = at;
-    last->radius = distance;
-    return last->winding;
+    const double radius = SAFE * zr_most_of(distance, last->radius), square = zr_world_place_dot(way, way);
+    int winding = last->winding;
+    if (!last->is_known)
+        winding = zr_surface_tree_winding(tree, at, steps);
+    else if (!(square < radius * radius) && square > least * least)
+        winding += difference_of(tree, at, last->at, steps);
+    if (distance > least) *last = (struct zr_surface_ball){true, at, distance, winding};
+    return winding;
 }
 
 struct zr_world_place zr_surface_normal(const struct zr_solid *solid, uint32_t triangle)
