@@ -14,7 +14,7 @@
 #ifndef ZR_VOLUMES_H
 #define ZR_VOLUMES_H
 
-#include "measure/solid.h"
+#include "measure/regions.h"
 
 enum { ZR_VOLUME_RAYS = 256 };
 
@@ -33,8 +33,9 @@ struct zr_volumes {
 };
 
 /* Measures two closed solids, whose places are relative to the same middle, with up to `rays` along the longest side.
- * Takes scratch from the arena and gives it back. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+ * The rays of the first direction also find regions of change (regions.h), unless `regions` is NULL: `thin` is for
+ * these. Takes scratch from the arena and gives it back. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_volumes_find(const struct zr_run *run, const struct zr_solid *a, const struct zr_solid *b,
-                               uint32_t rays, struct zr_volumes *out);
+                               uint32_t rays, double thin, struct zr_volumes *out, struct zr_regions *regions);
 
 #endif

@@ -49,7 +49,7 @@ static enum zr_status copy_word(const char *value, size_t size, const char *name
     return ZR_OK;
 }
 
-static const char *const parameters[] = {"align", "look", "precision", "show", "tolerance", "view"};
+static const char *const parameters[] = {"align", "deviation", "look", "precision", "show", "tolerance", "view"};
 
 bool zr_compare_has_parameter(const char *text)
 {
@@ -70,6 +70,11 @@ static enum zr_status read_parameter(const char *text, size_t size, struct wante
         if (out->options.is_quick || is_word(value, length, "full")) return ZR_OK;
         return zr_error_add(error, ZR_BAD_REQUEST, "precision", "one of: quick, full");
     }
+    if (is_word(text, name, "deviation")) {
+        out->options.has_no_deviation = is_word(value, length, "off");
+        if (out->options.has_no_deviation || is_word(value, length, "on")) return ZR_OK;
+        return zr_error_add(error, ZR_BAD_REQUEST, "deviation", "one of: on, off");
+    }
     if (is_word(text, name, "align")) {
         const int found = find_word(value, length, zr_align_words, 4);
         out->options.align = (enum zr_align)found;
@@ -79,13 +84,15 @@ static enum zr_status read_parameter(const char *text, size_t size, struct wante
     if (is_word(text, name, "show")) {
         const int found = find_word(value, length, zr_compare_show_words, ZR_SHOW_COUNT);
         out->picture.show = found;
+        out->options.is_drawn = found > ZR_SHOW_NONE;
         if (found >= 0) return ZR_OK;
         return zr_error_add(error, ZR_BAD_REQUEST, "show", "one of: none, difference, deviation, side");
     }
     if (is_word(text, name, "look")) return copy_word(value, length, "look", out->picture.look, error);
     if (is_word(text, name, "view")) return copy_word(value, length, "view", out->picture.view, error);
-    return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                        "unknown parameter; those of comparisons are align, look, precision, show, tolerance, view");
+    return zr_error_add(
+        error, ZR_BAD_REQUEST, NULL,
+        "unknown parameter; those of comparisons are align, deviation, look, precision, show, tolerance, view");
 }
 
 static enum zr_status read_query(const char *query, struct wanted *out, struct zr_error *error)
