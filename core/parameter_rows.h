@@ -36,6 +36,8 @@
         "pixels of each instance, drawn alone and visible, by the channels info and masks (default: false)")           \
     ROW(features, "/features", ANY, BOOL,                                                                              \
         "holes, bosses, fillets and planes of each part, by the channel info (default: false)")                        \
+    ROW(picks, "/picks", ANY, PIXEL_LIST,                                                                              \
+        "pixels that the channel info describes, with blanks between them: part, face, point, normal, distances")     \
     ROW(views, "/views", ANY, PRESETS, "several views: names of presets with commas between them")                     \
     ROW(turntable, "/turntable/frames", ANY, WHOLE, "several views: their number, from around the scene")              \
     ROW(turntableElevation, "/turntable/elevation", ANY, DEGREES,                                                      \
