@@ -25,6 +25,7 @@ static const struct route ROUTES[] = {
     {SCENE_SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false, false},
     {SCHEMA_PATH, "GET, HEAD", false, contract_open_schema, NULL, false, false, false},
     {COMPARE_PATH, "POST", false, comparing_open, comparing_work, true, false, false},
+    {DRAWING_PATH, "POST", false, drawing_open, drawing_work, true, false, false},
     {DRAKE_PATH, "POST", false, drake_open, drake_work, true, true, false},
     {"/healthz", "GET, HEAD", true, health_open, NULL, false, false, false},
     {"/metrics", "GET, HEAD", true, metrics_open, NULL, false, false, false},

@@ -1,9 +1,12 @@
 #include "drawing/cut_view.h"
 
+#include "base/cancel.h"
 #include "drawing/overall.h"
 #include "overlay/type.h"
 
 #define LETTER 5.0
+
+enum { EDGES_PER_CANCEL_CHECK = 1 << 12 };
 
 static double component(zr_dvec3 v, int axis)
 {
@@ -80,7 +83,7 @@ void zr_cut_view_mark(struct zr_plot *plot, const struct zr_placed_views *placed
     boxes[0] = add_end(plot, ends[0], x, y, dx, dy);
     boxes[1] = add_end(plot, ends[1], 0.0 - x, 0.0 - y, dx, dy);
     zr_plot_add_text(plot, label, (struct zr_point){middle - 0.5 * width, cut.y0 - 4.0}, LETTER, false);
-    boxes[2] = (struct zr_page_box){middle - 0.5 * width - 1.0, cut.y0 - 4.0 - LETTER - 1.0, middle + 0.5 * width + 1.0,
+    boxes[2] = (struct zr_page_box){middle - 0.5 * width - 3.0, cut.y0 - 4.0 - LETTER - 1.0, middle + 0.5 * width + 3.0,
                                     cut.y0 - 3.0};
 }
 
@@ -128,6 +131,8 @@ static bool list_edges(struct hatching *h, const struct zr_instance *instance, c
     if (!h->edges) return false;
     for (uint32_t r = 0; r < rings.count; r++)
         for (uint32_t i = rings.offsets[r]; i < rings.offsets[r + 1]; i++) {
+            if (i % EDGES_PER_CANCEL_CHECK == 0 && zr_is_cancelled(h->run->cancel))
+                return true; /* seen by the caller */
             const uint32_t next = i + 1 < rings.offsets[r + 1] ? i + 1 : rings.offsets[r];
             const struct zr_point a = place_of(h, instance, mesh->positions[mesh->indices[i]]),
                                   b = place_of(h, instance, mesh->positions[mesh->indices[next]]);
@@ -182,7 +187,7 @@ static void add_stroke(const struct hatching *h, double s, double from, double t
 /* Hatches the inside by the non-zero rule. */
 static enum zr_status hatch_edges(struct hatching *h)
 {
-    enum { LINES_MOST = 100000, EDGES_PER_CANCEL_CHECK = 1 << 12 };
+    enum { LINES_MOST = 100000 };
     double low = HUGE_VAL, high = -HUGE_VAL, first, end;
     for (uint32_t i = 0; i < h->edge_count; i++) {
         lines_of(h, &h->edges[i], &first, &end);

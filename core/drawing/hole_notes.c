@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/cancel.h"
 #include "drawing/overall.h"
 #include "overlay/annotate/length_text.h"
 #include "overlay/type.h"
@@ -96,13 +97,14 @@ void zr_hole_notes_list(const struct zr_placed_views *placed, const struct zr_pa
 
 enum { BOXES_MAX = ZR_NOTES_MAX + 32, LEADERS_MAX = 2 * ZR_NOTES_MAX, ROWS = 6, SIDE_ROWS = 24, SLOPES = 4 };
 
-static const double beside = 8.0, away = 14.0, other_half = 10.0, rim = 1.0;
+static const double beside = 8.0, away = 14.0, other_half = 10.0, other_hole = 12.0, rim = 1.0;
 
 struct leader {
     struct zr_point from, to;
 };
 
 struct placing {
+    const struct zr_cancel *cancel;
     struct zr_plot *plot;
     const struct zr_placed_views *placed;
     const struct zr_part_holes *holes;
@@ -165,16 +167,43 @@ static bool is_free(const struct placing *p, const struct place *place, double w
     return true;
 }
 
+/* Returns the distance of a point from a leader. */
+static double distance(struct leader line, struct zr_point at)
+{
+    const double x = line.to.x - line.from.x, y = line.to.y - line.from.y, squared = x * x + y * y;
+    const double along = squared > 0.0 ? ((at.x - line.from.x) * x + (at.y - line.from.y) * y) / squared : 0.0;
+    const double share = along < 0.0 ? 0.0 : along > 1.0 ? 1.0 : along;
+    const double dx = at.x - (line.from.x + share * x), dy = at.y - (line.from.y + share * y);
+    return sqrt(dx * dx + dy * dy);
+}
+
+/* Returns how many other holes a leader crosses. */
+static uint32_t crossed_holes(const struct placing *p, enum zr_page_view view, const struct zr_part_hole *own,
+                              struct leader leader)
+{
+    const double factor = zr_placed_factor(p->placed);
+    uint32_t crossed = 0;
+    for (uint32_t i = 0; i < p->holes->count; i++) {
+        const struct zr_part_hole *hole = &p->holes->at[i];
+        if (hole == own || zr_hole_side_of(p->placed, view, hole) != ZR_HOLE_ROUND) continue;
+        const double from = distance(leader, zr_placed_world(p->placed, view, hole->ends[0]));
+        crossed += from < factor * hole->radius + 0.5;
+    }
+    return crossed;
+}
+
 /* Completes a place whose elbow and side are set, and takes it if it is free and cheaper than the best one. */
-static void offer(const struct placing *p, const struct zr_part_hole *hole, struct place place, double width,
-                  struct place *best)
+static void offer(const struct placing *p, enum zr_page_view view, const struct zr_part_hole *hole, struct place place,
+                  double width, struct place *best)
 {
     const double x = place.elbow.x - place.center.x, y = place.elbow.y - place.center.y;
     const double length = sqrt(x * x + y * y), radius = zr_placed_factor(p->placed) * 0.5 * hole->hole.diameter;
     if (!(length > radius + 3.0)) return;
     place.rim = (struct zr_point){place.center.x + radius * (x / length), place.center.y + radius * (y / length)};
     place.cost += length;
-    if (place.cost < best->cost && is_free(p, &place, width)) *best = place;
+    if (!(place.cost < best->cost) || !is_free(p, &place, width)) return;
+    place.cost += other_hole * crossed_holes(p, view, hole, (struct leader){place.rim, place.elbow});
+    if (place.cost < best->cost) *best = place;
 }
 
 /* Offers places above the view. */
@@ -194,7 +223,7 @@ static void offer_above(const struct placing *p, const struct zr_hole_note *note
                                             .center = center,
                                             .elbow = {center.x + side * slopes[slope] * (center.y - y), y},
                                             .side = side};
-                offer(p, hole, place, width, best);
+                offer(p, note->view, hole, place, width, best);
             }
 }
 
@@ -211,7 +240,7 @@ static void offer_beside(const struct placing *p, const struct zr_hole_note *not
                                         .center = center,
                                         .elbow = {(k == 0 ? view.x1 : view.x0) + side * beside, y},
                                         .side = side};
-            if (y < view.y1 + 2.0 * ZR_PAGE_NOTE_ROW) offer(p, hole, place, width, best);
+            if (y < view.y1 + 2.0 * ZR_PAGE_NOTE_ROW) offer(p, note->view, hole, place, width, best);
         }
 }
 
@@ -237,7 +266,7 @@ static bool place_note(struct placing *p, const struct zr_hole_note *note)
     else
         snprintf(text, sizeof text, "%s", note->text);
     const double width = zr_type_width(text, ZR_DRAWING_TEXT);
-    for (uint32_t i = 0; i < note->held; i++) {
+    for (uint32_t i = 0; i < note->held && !zr_is_cancelled(p->cancel); i++) {
         offer_above(p, note, &p->holes->at[note->holes[i]], width, &best);
         offer_beside(p, note, &p->holes->at[note->holes[i]], width, &best);
     }
@@ -245,11 +274,11 @@ static bool place_note(struct placing *p, const struct zr_hole_note *note)
     return best.cost < HUGE_VAL;
 }
 
-void zr_hole_notes_add(struct zr_plot *plot, const struct zr_placed_views *placed, const struct zr_part_holes *holes,
-                       const struct zr_hole_notes *notes, const struct zr_page_box *boxes, uint32_t box_count,
-                       struct zr_arena *texts, struct zr_warning_list *warnings)
+void zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const struct zr_placed_views *placed,
+                       const struct zr_part_holes *holes, const struct zr_hole_notes *notes,
+                       const struct zr_page_box *boxes, uint32_t box_count, struct zr_warning_list *warnings)
 {
-    struct placing p = {.plot = plot, .placed = placed, .holes = holes};
+    struct placing p = {.cancel = run->cancel, .plot = plot, .placed = placed, .holes = holes};
     const double grown = 2.0;
     for (int view = 0; view < ZR_PAGE_VIEWS; view++) {
         const struct zr_page_box box = placed->layout.views[view];
@@ -261,6 +290,6 @@ void zr_hole_notes_add(struct zr_plot *plot, const struct zr_placed_views *place
     zr_plot_begin(plot, "notes");
     for (uint32_t i = 0; i < notes->count; i++)
         if (!place_note(&p, &notes->at[i]))
-            zr_warning_list_add(texts, warnings, "no room for the note of %u holes, %s", notes->at[i].count,
+            zr_warning_list_add(run->arena, warnings, "no room for the note of %u holes, %s", notes->at[i].count,
                                 notes->at[i].text);
 }

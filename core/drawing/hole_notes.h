@@ -7,7 +7,7 @@
  * Where:  the leader ends with an arrow at the rim of one of the holes and points to its middle. All holes of the group
  *         (the first 64), both sides, rows above the view and beside it are compared in a fixed order. Texts lie apart
  *         from views, dimensions, labels and other notes, and inside the frame. Leaders cross no text and no other leader.
- *         The shortest leader wins; those to the left of the left half and above are cheaper. A note without a place is
+ *         The shortest leader wins; those to the left from the left half, above the view and across no other hole are cheaper. A note without a place is
  *         left out, with a warning. */
 #ifndef ZR_HOLE_NOTES_H
 #define ZR_HOLE_NOTES_H
@@ -35,9 +35,10 @@ struct zr_hole_notes {
 void zr_hole_notes_list(const struct zr_placed_views *placed, const struct zr_part_holes *holes,
                         struct zr_hole_notes *out);
 
-/* Adds the notes in a group "notes". `boxes`: to be kept free, beside the views. Warnings are in `texts`. */
-void zr_hole_notes_add(struct zr_plot *plot, const struct zr_placed_views *placed, const struct zr_part_holes *holes,
-                       const struct zr_hole_notes *notes, const struct zr_page_box *boxes, uint32_t box_count,
-                       struct zr_arena *texts, struct zr_warning_list *warnings);
+/* Adds the notes in a group "notes". `boxes`: to be kept free, beside the views. Warnings are in run->arena. If
+ * run->cancel is raised, notes are missing. */
+void zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const struct zr_placed_views *placed,
+                       const struct zr_part_holes *holes, const struct zr_hole_notes *notes,
+                       const struct zr_page_box *boxes, uint32_t box_count, struct zr_warning_list *warnings);
 
 #endif

@@ -93,10 +93,10 @@ void zr_overall_add(struct zr_plot *plot, const struct zr_placed_views *placed, 
         offsets[placed->cut == ZR_PAGE_FRONT ? 2 : placed->cut == ZR_PAGE_TOP ? 1 : 0] = ZR_OVERALL_BEYOND;
     if (is_first && placed->is_cut && placed->cut == ZR_PAGE_RIGHT) offsets[0] = ZR_OVERALL_OFFSET;
     zr_plot_begin(plot, "dimensions");
-    boxes[0] =
-        add_dimension(plot, &(struct dimension){low.x0, low.x1, low.y1 + offsets[0], low.y1, -1.0, false, texts[0]});
-    boxes[1] = add_dimension(plot, &(struct dimension){front.y0, front.y1, front_edge + side * offsets[1], front_edge,
-                                                       -side, true, texts[1]});
-    boxes[2] = add_dimension(
-        plot, &(struct dimension){top.y0, top.y1, top_edge + side * offsets[2], top_edge, -side, true, texts[2]});
+    const struct dimension all[3] = {
+        {low.x0, low.x1, low.y1 + offsets[0], low.y1, -1.0, false, texts[0]},
+        {front.y0, front.y1, front_edge + side * offsets[1], front_edge, -side, true, texts[1]},
+        {top.y0, top.y1, top_edge + side * offsets[2], top_edge, -side, true, texts[2]}};
+    for (int k = 0; k < 3; k++)
+        boxes[k] = sizes[k] > 0.0 ? add_dimension(plot, &all[k]) : placed->page.title;
 }

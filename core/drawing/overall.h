@@ -16,7 +16,7 @@
 #define ZR_OVERALL_OFFSET 10.0
 #define ZR_OVERALL_BEYOND (ZR_OVERALL_OFFSET + ZR_PAGE_CUT_ROOM)
 
-/* Adds the three dimensions, in a group "dimensions". Sets their boxes. */
+/* Adds the dimensions that are more than 0, in a group "dimensions". Sets their boxes. */
 void zr_overall_add(struct zr_plot *plot, const struct zr_placed_views *placed, struct zr_page_box boxes[3]);
 
 #endif

@@ -220,7 +220,7 @@ static void add_marks(struct making *m)
         zr_cut_view_mark(m->plot, &m->placed, boxes + count);
         count += ZR_CUT_BOXES;
     }
-    zr_hole_notes_add(m->plot, &m->placed, &m->holes, m->notes, boxes, count, m->run->arena, m->warnings);
+    zr_hole_notes_add(m->run, m->plot, &m->placed, &m->holes, m->notes, boxes, count, m->warnings);
 }
 
 /* ---- the title block ---- */
@@ -266,6 +266,7 @@ enum zr_status zr_technical_drawing_make(const struct zr_run *run, const struct 
     for (int view = 0; view < ZR_PAGE_VIEWS; view++)
         STAGE(add_view(&m, (enum zr_page_view)view));
     add_marks(&m);
+    if (status == ZR_OK && zr_is_cancelled(run->cancel)) status = ZR_CANCELLED;
     if (status == ZR_OK && (out->has_failed || !zr_arena_ok(run->scratch))) status = ZR_NO_MEMORY;
     return status;
 }

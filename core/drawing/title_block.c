@@ -9,7 +9,7 @@
 #define PADDING    2.0
 #define NAME       1.8 /* height of the names of fields */
 #define VALUE      3.5
-#define TITLE      5.0
+#define TITLE      4.5
 #define LEAST      2.0
 
 static void add_line(struct zr_plot *plot, enum zr_plot_pen pen, double x0, double y0, double x1, double y1)

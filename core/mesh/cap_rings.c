@@ -7,6 +7,7 @@ struct point {
 struct grouping {
     const struct zr_mesh *mesh;
     const struct zr_rings *rings;
+    const struct zr_cancel *cancel;
     int axis; /* along which corners are projected */
 };
 
@@ -61,35 +62,67 @@ static bool contains(const struct grouping *g, uint32_t ring, struct point at)
     return is_inside;
 }
 
-/* Returns true if the ring contains the middles of most of three edges of the other. */
-static bool is_around(const struct grouping *g, uint32_t ring, uint32_t other)
+/* Returns true if the ring contains most of three points of the other: the middles of edges, moved by the share `inwards`
+ * of the edge, where the other turns left if `turn` is positive. */
+static bool is_around(const struct grouping *g, uint32_t ring, uint32_t other, double turn, double inwards)
 {
     const uint32_t begin = g->rings->offsets[other], count = g->rings->offsets[other + 1] - begin;
+    const double share = turn > 0.0 ? inwards : 0.0 - inwards;
     int inside = 0;
     for (uint32_t k = 0; k < 3; k++) {
         const uint32_t i = (uint32_t)((uint64_t)count * k / 3);
         const struct point a = project(g, begin + i), b = project(g, begin + (i + 1) % count);
-        inside += contains(g, ring, (struct point){0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
+        const struct point at = {0.5 * (a.x + b.x) - share * (b.y - a.y), 0.5 * (a.y + b.y) + share * (b.x - a.x)};
+        inside += contains(g, ring, at);
     }
     return inside >= 2;
+}
+
+/* Returns true if an earlier hole of the ring's group has taken away what a hole would: one of them contains the
+ * other, or they coincide. */
+static bool is_taken(const struct grouping *g, const uint32_t *groups, uint32_t ring, uint32_t hole)
+{
+    const double inwards = 1e-3, turn = area_of(g, hole);
+    for (uint32_t other = 0; other < hole && !zr_is_cancelled(g->cancel); other++) {
+        if (groups[other] != ring || other == ring) continue;
+        if (is_around(g, other, hole, turn, inwards) || is_around(g, hole, other, area_of(g, other), inwards))
+            return true;
+    }
+    return false;
+}
+
+/* Returns the smallest ring around a hole, the hole itself if there is none. `is_free`: none of which an earlier hole has
+ * taken it. *around: how many rings are around it. */
+static uint32_t smallest_around(const struct grouping *g, const uint32_t *groups, uint32_t hole, double sign,
+                                bool is_free, uint32_t *around)
+{
+    const double own = area_of(g, hole);
+    double least = HUGE_VAL;
+    uint32_t found = hole;
+    *around = 0;
+    for (uint32_t ring = 0; ring < g->rings->count && !zr_is_cancelled(g->cancel); ring++) {
+        const double area = area_of(g, ring);
+        if (area * sign <= 0.0 || fabs(area) < fabs(own) || !is_around(g, ring, hole, own, 0.0)) continue;
+        ++*around;
+        if (fabs(area) >= least || (is_free && is_taken(g, groups, ring, hole))) continue;
+        least = fabs(area);
+        found = ring;
+    }
+    return found;
 }
 
 void zr_cap_rings_group(const struct zr_mesh *mesh, const struct zr_rings *rings, const struct zr_cancel *cancel,
                         uint32_t *groups)
 {
-    struct grouping g = {.mesh = mesh, .rings = rings};
+    struct grouping g = {.mesh = mesh, .rings = rings, .cancel = cancel};
     const double sign = choose_axis(&g);
     for (uint32_t hole = 0; hole < rings->count; hole++) {
-        double least = HUGE_VAL;
-        const double own = area_of(&g, hole);
+        uint32_t around;
         groups[hole] = hole;
-        for (uint32_t ring = 0; own * sign < 0.0 && ring < rings->count; ring++) {
-            const double area = area_of(&g, ring);
-            if (zr_is_cancelled(cancel)) return;
-            if (area * sign <= 0.0 || fabs(area) >= least || fabs(area) < fabs(own) || !is_around(&g, ring, hole))
-                continue;
-            least = fabs(area);
-            groups[hole] = ring;
-        }
+        if (!(area_of(&g, hole) * sign < 0.0)) continue;
+        groups[hole] = smallest_around(&g, groups, hole, sign, false, &around);
+        if (around < 2) continue;
+        const uint32_t found = smallest_around(&g, groups, hole, sign, true, &around);
+        if (found != hole) groups[hole] = found;
     }
 }

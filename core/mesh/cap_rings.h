@@ -4,7 +4,8 @@
  * Why:    triangulation fills by parity, and a cap by the non-zero rule. Rings of solids that overlap within one part
  *         cross one another. Each solid by itself is filled by parity.
  * How:    a ring that turns as ring 0 begins a group. Any other ring is a hole of the smallest of these that contains
- *         it, by most of three of its points. A hole outside of all is a group of its own. */
+ *         it, by most of three of its points, and of which no earlier hole contains it or coincides with it: bores of two
+ *         solids at one place are holes of both. A hole outside of all is a group of its own. */
 #ifndef ZR_CAP_RINGS_H
 #define ZR_CAP_RINGS_H
 

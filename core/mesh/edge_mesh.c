@@ -101,13 +101,14 @@ static bool reserve(struct zr_arena *arena, const struct zr_mesh *mesh, struct c
     return zr_triangulator_reserve(arena, &cutting->triangulator, corners, rings) && zr_arena_ok(arena);
 }
 
-/* Triangulates the rings of a group. */
+/* Triangulates the rings of a group: the ring that begins it, and its holes, which may come before it in the face. */
 static void cut_rings(struct making *m, struct cutting *cutting, uint32_t face, uint32_t group)
 {
     const struct zr_mesh *mesh = m->mesh;
     const struct zr_rings rings = zr_mesh_rings(mesh, face);
     uint32_t corners = 0, count = 0;
-    for (uint32_t r = group; r < rings.count; r++) {
+    for (uint32_t k = 0; k < rings.count; k++) {
+        const uint32_t r = k == 0 ? group : k - (k <= group);
         if (cutting->groups[r] != group) continue;
         cutting->offsets[count++] = corners;
         for (uint32_t i = rings.offsets[r]; i < rings.offsets[r + 1]; i++, corners++) {

@@ -17,9 +17,9 @@ struct drawing {
     struct zr_point *points; /* room for those of the largest item, and one more */
 };
 
-static struct zr_marks mark_of(const struct drawing *d, struct zr_arena *arena, const struct zr_plot_item *item)
+static struct zr_marks mark_of(const struct drawing *d, const struct zr_plot_item *item)
 {
-    struct zr_marks marks = {.arena = arena};
+    struct zr_marks marks = {.arena = d->run->scratch};
     const struct zr_ink ink = {.color = d->black, .width = d->scale * zr_plot_width(item)};
     uint32_t count = item->count;
     double dashes[ZR_PLOT_DASH_LENGTHS];
@@ -48,10 +48,8 @@ static struct zr_marks mark_of(const struct drawing *d, struct zr_arena *arena, 
 static enum zr_status draw_items(const struct drawing *d, const struct zr_canvas *canvas)
 {
     for (uint32_t i = 0; i < d->plot->item_count; i++) {
-        struct zr_arena scratch = zr_arena_open_scratch(d->run->scratch);
-        const struct zr_marks marks = mark_of(d, &scratch, &d->plot->items[i]);
+        const struct zr_marks marks = mark_of(d, &d->plot->items[i]);
         const enum zr_status status = marks.has_failed ? ZR_NO_MEMORY : zr_marks_draw(&marks, d->run->cancel, canvas);
-        zr_arena_close_scratch(&scratch, d->run->scratch);
         if (status != ZR_OK) return status;
     }
     return ZR_OK;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/cancel.h"
 #include "base/memory_error.h"
 #include "drawing/technical_drawing.h"
 #include "drawing_rows.h"
@@ -142,15 +143,24 @@ static enum zr_status read_query(struct zr_arena *arena, const char *query, stru
     return status;
 }
 
+/* Returns the pixels per inch of a query for a PNG; 0: it is for another format. */
+static double dpi_of(const char *query)
+{
+    const char *dpi = query ? strstr(query, "dpi=") : NULL;
+    if (!query || !strstr(query, "format=png")) return 0.0;
+    const double value = dpi ? strtod(dpi + strlen("dpi="), NULL) : DPI_USUAL;
+    return value <= ZR_PLOT_DPI_MOST ? value : ZR_PLOT_DPI_MOST;
+}
+
 double zr_drawing_cost_ms(const struct zr_scene *scene, const char *query)
 {
+    const double inches = 16.5 * 11.7, dpi = dpi_of(query);
     double triangles = 0.0;
-    (void)query;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         triangles += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
     }
-    return 50.0 + 0.012 * triangles;
+    return 40.0 + 0.006 * triangles + 6e-6 * inches * dpi * dpi;
 }
 
 static enum zr_status make(const struct zr_run *run, const struct zr_scene *scene, const struct wanted *wanted,
@@ -158,10 +168,12 @@ static enum zr_status make(const struct zr_run *run, const struct zr_scene *scen
 {
     const struct zr_run inner = zr_run_in(run, run->scratch);
     struct zr_buffer buffer = {.arena = run->arena};
+    struct zr_warning_list warnings = {0}; /* in scratch */
     struct zr_plot plot;
     for (uint32_t i = 0; i < scene->warning_count; i++)
         zr_warning_list_add(run->arena, &out->warnings, "%s", scene->warnings[i]);
-    enum zr_status status = zr_technical_drawing_make(&inner, scene, &wanted->options, &plot, &out->warnings);
+    enum zr_status status = zr_technical_drawing_make(&inner, scene, &wanted->options, &plot, &warnings);
+    zr_warning_list_append(run->arena, &out->warnings, &warnings);
     if (status == ZR_OK)
         status = wanted->is_png ? zr_plot_png_write(&inner, &plot, wanted->dpi, &buffer)
                                 : zr_plot_svg_write(&plot, run->cancel, &buffer);
@@ -178,6 +190,7 @@ enum zr_status zr_drawing_file_make(const struct zr_run *run, const struct zr_sc
     *out = (struct zr_drawing_file){.bytes = NULL};
     enum zr_status status = read_query(run->scratch, query, &wanted, run->error);
     if (status == ZR_OK) status = make(run, scene, &wanted, out);
+    if (status == ZR_NO_MEMORY && zr_is_cancelled(run->cancel)) status = ZR_CANCELLED;
     if (status == ZR_NO_MEMORY && run->error->count == 0)
         zr_memory_error_add(run->error, zr_arena_ok(run->scratch) ? run->arena : run->scratch, "drawing", "");
     return status;

@@ -8,6 +8,7 @@
 #include "multipart.h"
 #include "problem.h"
 #include "render_request.h"
+#include "routes.h"
 
 #define SCENE_NAME "scene" /* of the part that is the body */
 
@@ -90,8 +91,10 @@ static const struct multipart_part *find_scene(const struct multipart *parts, st
 {
     const struct multipart_part *scene = multipart_find(parts, SCENE_NAME);
     if (scene || parts->count == 1) return scene ? scene : parts->parts;
-    problem_answer(answer, 400, "multipart/form-data: none of the %zu parts has the name '" SCENE_NAME "': "
-                                "give it to the scene or the model", parts->count);
+    problem_answer(answer, 400,
+                   "multipart/form-data: none of the %zu parts has the name '" SCENE_NAME "': "
+                   "give it to the scene or the model",
+                   parts->count);
     return NULL;
 }
 
@@ -109,8 +112,9 @@ static bool use_parts(const struct work *work, const struct multipart *parts, st
     if (!scene) return false;
     if (!find_format(scene, &render->format)) {
         problem_answer(answer, 400,
-                       "multipart/form-data: the part '%s' has the Content-Type '%.*s', which is none of: %s", scene->name,
-                       (int)(scene->type_size < 80 ? scene->type_size : 80), scene->type, zr_format_types_join().text);
+                       "multipart/form-data: the part '%s' has the Content-Type '%.*s', which is none of: %s",
+                       scene->name, (int)(scene->type_size < 80 ? scene->type_size : 80), scene->type,
+                       zr_format_types_join().text);
         return false;
     }
     render->asset_count = 0;
@@ -140,4 +144,16 @@ enum request_next body_next(const struct work *work, enum body_status status)
     if (status == BODY_LARGE || (status == BODY_CANCELLED && work->request->small_only)) return REQUEST_LARGE;
     if (status == BODY_CANCELLED) problem_timeout(work->answer, work->service->config->render_timeout_ms);
     return REQUEST_ANSWERED;
+}
+
+enum body_status body_read_scene(const struct work *work, const struct zr_run *run, const struct zr_scene **scene,
+                                 enum zr_status *status)
+{
+    struct zr_request render;
+    const enum body_status body = body_unpack(work, &render);
+    if (body != BODY_READY) return body;
+    render.cancel = work->reading;
+    render.stored = assets_stored(work->service);
+    *status = zr_scene_read(run, &render, &work->service->limits, scene);
+    return BODY_READY;
 }

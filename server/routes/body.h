@@ -25,4 +25,8 @@ enum body_status body_unpack(const struct work *work, struct zr_request *render)
 /* Returns REQUEST_WORK if the body is ready, else REQUEST_LARGE, or REQUEST_ANSWERED: the answer is then set. */
 enum request_next body_next(const struct work *work, enum body_status status);
 
+/* Unpacks the body and reads its scene, with stored assets. *status is that of reading if the body is ready. */
+enum body_status body_read_scene(const struct work *work, const struct zr_run *run, const struct zr_scene **scene,
+                                 enum zr_status *status);
+
 #endif

@@ -293,6 +293,57 @@ static const char compare[] = ZR_SCHEMA({
     }
 });
 
+static const char drawing[] = ZR_SCHEMA({
+    "/v1/drawing": {
+        "post": {
+            "operationId": "draw", "tags": ["render"], "summary": "Make a technical drawing of a model",
+            "parameters": [
+                {"name": "page", "in": "query", "description": "Paper.", "schema": {"enum": ["a4", "a3"]}},
+                {
+                    "name": "scale", "in": "query", "description": "Scale; otherwise the largest standard one that fits.",
+                    "schema": {"type": "string", "pattern": "^[0-9]+:[0-9]+$"}
+                },
+                {
+                    "name": "projection", "in": "query", "description": "Places of the views.",
+                    "schema": {"enum": ["third", "first"]}
+                },
+                {
+                    "name": "section", "in": "query", "description": "Section A-A: an axis, and a share of the bounds.",
+                    "schema": {"type": "string", "pattern": "^[xyz](:[0-9.]+)?$"}
+                },
+                {
+                    "name": "hidden", "in": "query", "description": "Hidden lines in dashes.",
+                    "schema": {"type": "boolean"}
+                },
+                {"name": "title", "in": "query", "description": "Title.", "schema": {"type": "string"}},
+                {"name": "date", "in": "query", "description": "Date.", "schema": {"type": "string"}},
+                {"name": "format", "in": "query", "description": "Format.", "schema": {"enum": ["svg", "png"]}},
+                {
+                    "name": "dpi", "in": "query", "description": "Pixels per inch of a PNG.",
+                    "schema": {"type": "number", "minimum": 30, "maximum": 600}
+                }
+            ],
+            "requestBody": {
+                "required": true, "description": "A scene or model, as for /v1/render.",
+                "content": {
+                    "application/octet-stream": {"schema": {"type": "string"}},
+                    "multipart/form-data": {"schema": {"type": "object"}}
+                }
+            },
+            "responses": {
+                "200": {
+                    "description": "The drawing.",
+                    "content": {
+                        "image/svg+xml": {"schema": {"type": "string", "contentMediaType": "image/svg+xml"}},
+                        "image/png": {"schema": {"type": "string", "contentMediaType": "image/png"}}
+                    }
+                },
+                "503": {"$ref": "#/components/responses/busy"}, "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    }
+});
+
 static const char health[] = ZR_SCHEMA({
     "/healthz": {
         "get": {
@@ -351,4 +402,4 @@ static const char health[] = ZR_SCHEMA({
     }
 });
 
-const char *const openapi_paths[] = {assets, compare, contract, drake, health, page, NULL};
+const char *const openapi_paths[] = {assets, compare, contract, drake, drawing, health, page, NULL};

@@ -25,6 +25,11 @@ enum request_next drake_work(const struct work *work);
 bool comparing_open(const struct service *service, struct request *request, struct answer *answer);
 enum request_next comparing_work(const struct work *work);
 
+/* POST /v1/drawing: a technical drawing of a scene or model, as SVG or PNG. The body is that of /v1/render. */
+#define DRAWING_PATH "/v1/drawing"
+bool drawing_open(const struct service *service, struct request *request, struct answer *answer);
+enum request_next drawing_work(const struct work *work);
+
 /* Pictures that have an address:
  *
  *     GET, HEAD /v1/renders/{sha256}?parameters             the picture of a stored scene or model

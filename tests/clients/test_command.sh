@@ -169,7 +169,7 @@ check "info as JSON" 0 "$zraster" info part.stl --json
 verdict "is the output of the channel info" grep -q '"triangles": *1' "$said"
 check "looks" 0 "$zraster" looks
 verdict "are listed" grep -qx technical "$said"
-for command in render info batch compare watch looks help; do
+for command in render info batch drawing compare watch looks help; do
     check "help $command" 0 "$zraster" help $command
     verdict "names it" grep -q "zraster.*$command" "$said"
 done
@@ -207,6 +207,21 @@ verdict "with numbers" grep -q '^IoU 0.5' "$said"
 verdict "and a picture" [ "$(size_of_png models.png)" = 64x64 ]
 check "--json has all numbers" 4 "$zraster" compare corner.obj taller.obj --json
 verdict "of the regions" grep -q '"regions":\[{"in":"b","volume":0.1' "$said"
+
+# drawing
+check "a technical drawing" 0 "$zraster" drawing corner.obj -o corner.svg --section y --date 2026-11-30
+verdict "is an SVG in millimetres with its title and section" eval 'grep -q "width=\"420mm\" height=\"297mm\"" corner.svg && grep -q "aria-label=\"corner.obj\"" corner.svg && grep -q "aria-label=\"A-A\"" corner.svg && grep -q "aria-label=\"2026-11-30\"" corner.svg'
+if command -v xmllint >/dev/null; then verdict "that xmllint accepts" xmllint --noout corner.svg; fi
+check "or a PNG" 0 "$zraster" drawing corner.obj -o corner.png --page a4 --dpi 60 --projection first
+verdict "of the paper's size" [ "$(size_of_png corner.png)" = 496x702 ]
+check "its name follows from the file" 0 "$zraster" drawing taller.obj --scale 20:1 --hidden false
+verdict "in this folder" grep -q 'data-scale="20:1"' taller.svg
+check "a scale that is too large is refused" 1 "$zraster" drawing corner.obj -o no.svg --scale 500:1
+verdict "with the largest one" grep -q "do not fit on A3 at 500:1; .* is [0-9]*:1" "$complained"
+for line in "corner.obj --page a5" "corner.obj --section w" "corner.obj -o no.pdf" "corner.obj --width 80" "corner.obj taller.obj" ""; do
+    check "drawing $line" 2 "$zraster" drawing $line
+done
+verdict "and nothing is written" [ ! -e no.svg ] # nor a PDF
 
 # batch
 mkdir -p many/deep

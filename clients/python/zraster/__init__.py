@@ -13,6 +13,7 @@ from typing import Any, Mapping, Optional
 
 from . import _library, _server
 from ._comparison import Comparison, compare
+from ._drawing import Drawing, drawing
 from ._errors import (
     Cancelled,
     Error,
@@ -34,8 +35,8 @@ from ._scene import Scene
 from ._views import Views
 
 __all__ = [
-    "Cancel", "Cancelled", "Comparison", "Error", "Fault", "InternalError", "MemoryLimitError", "OptionError", "OptionTypeError",
-    "Picture", "Renderer", "Scene", "SceneError", "ServerError", "Views", "Warning", "compare", "options", "render", "rules",
+    "Cancel", "Cancelled", "Comparison", "Drawing", "Error", "Fault", "InternalError", "MemoryLimitError", "OptionError", "OptionTypeError",
+    "Picture", "Renderer", "Scene", "SceneError", "ServerError", "Views", "Warning", "compare", "drawing", "options", "render", "rules",
 ]  # fmt: skip
 
 __version__: str = _library.library.version().decode()
