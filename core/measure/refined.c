@@ -22,7 +22,7 @@ struct refining {
     const struct zr_surface_tree *other;
     const struct zr_refining *how;
     struct zr_refined_triangle *triangles;
-    uint32_t count;
+    uint32_t count, room;
     double *distances; /* per place of the solid */
     uint32_t *active;  /* triangles that may be cut, ascending */
     uint32_t active_count;
@@ -185,6 +185,15 @@ static uint32_t cut_triangle(struct refining *r, uint32_t number, const struct c
     return found;
 }
 
+/* Makes room for triangles, and for more of the next rounds. */
+static bool make_room(struct refining *r, struct zr_arena *scratch, uint64_t count)
+{
+    if (count <= r->room) return true;
+    r->room = (uint32_t)(count + count / 4);
+    r->triangles = zr_arena_grow(scratch, r->triangles, r->count, r->room, sizeof *r->triangles);
+    return r->triangles;
+}
+
 /* Halves edges once. `most`: of triangles. Returns false if nothing is left to do, or without memory. */
 static bool refine(struct refining *r, struct zr_arena *scratch, uint64_t most)
 {
@@ -199,8 +208,7 @@ static bool refine(struct refining *r, struct zr_arena *scratch, uint64_t most)
             count += r->cuts[i].is_halved[k];
     if (count == r->count || count > most) return false;
     uint32_t *active = zr_arena_alloc(scratch, r->active_count + (count - r->count), sizeof *active);
-    r->triangles = zr_arena_grow(scratch, r->triangles, r->count, count, sizeof *r->triangles);
-    if (!active || !r->triangles) return false;
+    if (!active || !make_room(r, scratch, count)) return false;
     for (uint32_t i = 0; i < r->active_count && !is_due(r, i); i++) {
         const bool *is_halved = r->cuts[i].is_halved;
         if (is_halved[0] || is_halved[1] || is_halved[2])
@@ -235,7 +243,8 @@ static enum zr_status make(struct refining *r, struct zr_arena *scratch, struct 
 {
     const struct zr_solid *solid = r->solid;
     r->count = solid->count;
-    r->triangles = zr_arena_alloc(scratch, solid->count, sizeof *r->triangles);
+    r->room = solid->count + solid->count / 8;
+    r->triangles = zr_arena_alloc(scratch, r->room, sizeof *r->triangles);
     r->distances = zr_arena_alloc(scratch, solid->place_count, sizeof *r->distances);
     if (!zr_arena_ok(scratch)) return ZR_NO_MEMORY;
     zr_team_ranges(r->run->team, solid->place_count, ITEMS_PER_TASK, measure_places, r);
