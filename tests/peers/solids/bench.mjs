@@ -20,8 +20,8 @@ async function booleans() {
 }
 
 const rows = [
-    ["volumes and regions", 80, () => compare(daemon, ...files, "?deviation=off")],
-    ["volumes, regions and a picture", 80, () => compare(daemon, ...files, "?show=difference&deviation=off")],
+    ["volumes and regions", 80, () => compare(daemon, ...files, "?deviation=off&features=off")],
+    ["volumes, regions and a picture", 80, () => compare(daemon, ...files, "?show=difference&deviation=off&features=off")],
     ["all numbers", NaN, () => compare(daemon, ...files)],
     ["deviation map", 300, () => compare(daemon, ...files, "?show=deviation")],
     ["manifold-3d: both, onlyA, onlyB", NaN, booleans],
