@@ -337,6 +337,14 @@ read-labels: ## tesseract reads 200 dimension labels in the letters of captions,
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster-labels
 	@tests/peers/labels.sh $(BUILD)
 
+SOLID_PACKAGES := manifold-3d@3.5.4
+.PHONY: judge-compare
+judge-compare: ## volumes of random pairs of solids beside those of manifold-3d (npm): PAIRS=200 SEED=1
+	@.ci/need $(NEED_BUILD) $(NEED_NODE)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/solids $(SOLID_PACKAGES)
+	@node tests/peers/solids/judge.mjs $(BUILD) $(abspath $(BUILD)/solids) $(or $(PAIRS),200) $(or $(SEED),1)
+
 .PHONY: gltf-variants
 gltf-variants: ## models beside their sparse, meshopt, quantized, WebP and Draco variants by gltf-transform (npm): FILES="DIR..."
 	@.ci/need $(NEED_BUILD) $(NEED_NODE) /usr/lib/python3/dist-packages/numpy=python3-numpy
@@ -548,6 +556,13 @@ bench-mcp: ## calls of /mcp beside the same pictures by /v1/render, in turns: RO
 	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
 	@$(PYTHON) tests/bench/mcp.py $(BUILD) $(or $(ROUNDS),41) $(DATA)/models/parts/gear.obj $(DATA)/models/parts/housing.obj $(DATA)/models/stanford-bunny.obj
+
+.PHONY: bench-compare
+bench-compare: ## two spheres of 65 024 triangles compared over HTTP, beside booleans of manifold-3d (npm), in turns: ROUNDS=9
+	@.ci/need $(NEED_BUILD) $(NEED_NODE)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/solids $(SOLID_PACKAGES)
+	@node tests/peers/solids/bench.mjs $(BUILD) $(abspath $(BUILD)/solids) $(or $(ROUNDS),9)
 
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB), and loading of meshes: MESH=../shared/data/models/stanford-bunny.obj

@@ -158,6 +158,9 @@ static enum zr_status measure(const struct zr_run *run, const struct zr_scene *c
             zr_silhouettes_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_SILHOUETTE_RAYS, c->silhouettes);
     c->tolerance = options->tolerance >= 0.0 ? options->tolerance : ZR_COMPARISON_SAME * c->a.diagonal;
     if (status == ZR_OK) status = measure_parts(run, scenes, lists, c);
+    c->holes.is_omitted = true;
+    if (status == ZR_OK && !options->has_no_features)
+        status = zr_hole_changes_find(run, &c->a, &c->b, c->tolerance, &c->holes);
     const bool needs_trees = options->is_drawn || c->has_parts || !options->has_no_deviation;
     if (status == ZR_OK && needs_trees) status = zr_surface_tree_make(run, &c->a, &c->trees[0]);
     if (status == ZR_OK && needs_trees) status = zr_surface_tree_make(run, &c->b, &c->trees[1]);

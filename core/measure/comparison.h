@@ -13,6 +13,7 @@
 #include "base/warning_list.h"
 #include "measure/align.h"
 #include "measure/deviation.h"
+#include "measure/hole_changes.h"
 #include "measure/part_changes.h"
 #include "measure/regions.h"
 #include "measure/volumes.h"
@@ -30,7 +31,7 @@ struct zr_comparison_options {
     double tolerance; /* negative: the default */
     bool is_quick;    /* fewer rays and points */
     bool is_drawn;    /* zr_comparison has trees, for a picture */
-    bool has_no_deviation;
+    bool has_no_deviation, has_no_features;
     enum zr_align align;
 };
 
@@ -54,6 +55,7 @@ struct zr_comparison {
     const char *region_parts[ZR_REGIONS_MAX]; /* names of the parts that the regions belong to */
     bool has_parts;                           /* one of the models has several parts */
     struct zr_part_changes parts;
+    struct zr_hole_changes holes;
     struct zr_warning_list warnings; /* of comparing; those of the scenes are not among them */
 };
 

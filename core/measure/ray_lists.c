@@ -94,6 +94,14 @@ static void add_row(struct working *w, struct crossing_face *face, uint32_t row)
     }
 }
 
+/* True if rays leave through a triangle. A ray that leaves a closed solid enters it, too. */
+static bool is_away(const struct zr_ray_facet *f)
+{
+    return (f->at[1].u - f->at[0].u) * (f->at[2].v - f->at[0].v) -
+               (f->at[1].v - f->at[0].v) * (f->at[2].u - f->at[0].u) <
+           0.0;
+}
+
 static void add_triangle(struct working *w, const struct zr_solid *solid, uint32_t triangle, bool is_b)
 {
     const struct zr_ray_grid *grid = w->m->grid;
@@ -107,6 +115,7 @@ static void add_triangle(struct working *w, const struct zr_solid *solid, uint32
         f->at[k].v = at->v;
         f->at[k].d = at->d;
     }
+    if (w->m->hits && solid->is_closed && is_away(f)) return;
     zr_ray_rows(grid, f, &begin, &end);
     if (!has_work(w, 1 + (uint64_t)(end - begin))) return;
     for (uint32_t row = begin; row < end && !w->is_stopped; row++)

@@ -22,7 +22,8 @@ struct refining {
     const struct zr_surface_tree *other;
     const struct zr_refining *how;
     struct zr_refined_triangle *triangles;
-    uint32_t count;
+    uint32_t count, room;
+    double reach;      /* as that of `how`, but no more than the longest edge needs */
     double *distances; /* per place of the solid */
     uint32_t *active;  /* triangles that may be cut, ascending */
     uint32_t active_count;
@@ -53,7 +54,7 @@ struct searching {
 static double distance_of(struct searching *s, struct zr_world_place at)
 {
     const struct zr_surface_tree *other = s->r->other;
-    const double reach = s->r->how->reach;
+    const double reach = s->r->reach;
     double distance = reach;
     if (!(reach < HUGE_VAL)) zr_surface_tree_nearest(other, at, -1.0, &s->hit, &s->steps);
     if (!(reach < HUGE_VAL) || zr_surface_tree_within(other, at, reach, &s->hit, &s->steps))
@@ -185,6 +186,15 @@ static uint32_t cut_triangle(struct refining *r, uint32_t number, const struct c
     return found;
 }
 
+/* Makes room for triangles, and for more of the next rounds. */
+static bool make_room(struct refining *r, struct zr_arena *scratch, uint64_t count)
+{
+    if (count <= r->room) return true;
+    r->room = (uint32_t)(count + count / 4);
+    r->triangles = zr_arena_grow(scratch, r->triangles, r->count, r->room, sizeof *r->triangles);
+    return r->triangles;
+}
+
 /* Halves edges once. `most`: of triangles. Returns false if nothing is left to do, or without memory. */
 static bool refine(struct refining *r, struct zr_arena *scratch, uint64_t most)
 {
@@ -199,8 +209,7 @@ static bool refine(struct refining *r, struct zr_arena *scratch, uint64_t most)
             count += r->cuts[i].is_halved[k];
     if (count == r->count || count > most) return false;
     uint32_t *active = zr_arena_alloc(scratch, r->active_count + (count - r->count), sizeof *active);
-    r->triangles = zr_arena_grow(scratch, r->triangles, r->count, count, sizeof *r->triangles);
-    if (!active || !r->triangles) return false;
+    if (!active || !make_room(r, scratch, count)) return false;
     for (uint32_t i = 0; i < r->active_count && !is_due(r, i); i++) {
         const bool *is_halved = r->cuts[i].is_halved;
         if (is_halved[0] || is_halved[1] || is_halved[2])
@@ -221,6 +230,19 @@ static void classify(struct refining *r)
     }
 }
 
+/* Returns the length of the longest edge. */
+static double longest_of(const struct refining *r)
+{
+    double most = 0.0;
+    for (uint32_t t = 0; t < r->solid->count && !is_due(r, t); t++) {
+        struct zr_world_place p[3];
+        zr_solid_places(r->solid, t, p);
+        for (int k = 0; k < 3; k++)
+            most = zr_most_of(most, square_of(p[k], p[(k + 1) % 3]));
+    }
+    return sqrt(most);
+}
+
 /* Lists the triangles that may be cut. */
 static bool list_active(struct refining *r, struct zr_arena *scratch)
 {
@@ -235,9 +257,12 @@ static enum zr_status make(struct refining *r, struct zr_arena *scratch, struct 
 {
     const struct zr_solid *solid = r->solid;
     r->count = solid->count;
-    r->triangles = zr_arena_alloc(scratch, solid->count, sizeof *r->triangles);
+    r->room = solid->count + solid->count / 8;
+    r->triangles = zr_arena_alloc(scratch, r->room, sizeof *r->triangles);
     r->distances = zr_arena_alloc(scratch, solid->place_count, sizeof *r->distances);
     if (!zr_arena_ok(scratch)) return ZR_NO_MEMORY;
+    r->reach = r->how->reach;
+    if (r->reach < HUGE_VAL) r->reach = zr_least_of(r->reach, 1.001 * longest_of(r) + 2.0 * r->how->near);
     zr_team_ranges(r->run->team, solid->place_count, ITEMS_PER_TASK, measure_places, r);
     for (uint32_t t = 0; t < solid->count && !is_due(r, t); t++) {
         zr_solid_places(solid, t, r->triangles[t].at);

@@ -176,6 +176,12 @@ static void find_all(const struct direction *found, struct zr_volumes *out)
     if (out->only_a == 0.0 && out->only_b == 0.0 && all > 0.0) out->error = thin / all; /* each ray is shared */
 }
 
+/* Returns how far the rays are off for a whole solid whose volume is known. */
+static double excess_of(const struct zr_own_volume *own, double measured)
+{
+    return own->has_overlap ? 0.0 : fabs(measured - own->volume);
+}
+
 enum zr_status zr_volumes_find(const struct zr_run *run, const struct zr_solid *a, const struct zr_solid *b,
                                uint32_t rays, double thin, struct zr_volumes *out, struct zr_regions *regions)
 {
@@ -190,5 +196,7 @@ enum zr_status zr_volumes_find(const struct zr_run *run, const struct zr_solid *
     find_all(found, out);
     find_own(a, 0, &all, found, out, &out->a);
     find_own(b, 1, &all, found, out, &out->b);
+    out->volume_error +=
+        zr_most_of(excess_of(&out->a, out->both + out->only_a), excess_of(&out->b, out->both + out->only_b));
     return ZR_OK;
 }

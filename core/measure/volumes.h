@@ -6,7 +6,8 @@
  * Thin:   intervals of one solid alone whose thickness is at most a millionth of the diagonal count as none. So equal
  *         solids whose faces are cut into other triangles are equal. Their volume is added to the error.
  * Error:  the spread of the directions, and a fiftieth of the changes between neighbouring rays. It held for all of
- *         4 x 48 random pairs; it is an estimate, not a bound.
+ *         200 random pairs (make judge-compare); it is an estimate, not a bound.
+ *         Errors of volumes have the difference of the rays from the exact volumes of `a` and `b`, too.
  * Whole:  volumes of `a` and `b` themselves are exact sums over their triangles, unless their shells overlap or are
  *         turned against one another; then they are measured along the rays, too.
  * Exact:  rows have separate sums, which are added in order: the same for all numbers of threads.

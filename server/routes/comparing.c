@@ -56,11 +56,11 @@ static bool has_picture(const char *query)
     return show && strncmp(show, "none", 4) != 0;
 }
 
-/* Parts the query. Distances are left out if the answer has no numbers. False: the arena failed. */
+/* Parts the query. Distances and features are left out if the answer has no numbers. False: the arena failed. */
 static bool split_query(struct comparing *c)
 {
     const char *query = c->work->request->query ? c->work->request->query : "";
-    const char *const without = "deviation=off&"; /* a later value overrides it */
+    const char *const without = "deviation=off&features=off&"; /* later values override them */
     const size_t room = strlen(query) + strlen(without) + 2;
     c->numbers = zr_arena_zero(c->run.arena, room, 1);
     c->picture = zr_arena_zero(c->run.arena, room, 1);
