@@ -28,7 +28,8 @@
     ROW(member, "/query/member", ANY, NAME, "file to draw of a ZIP archive with several models")                       \
     ROW(colorBar, "/colorBar", ANY, BOOL, "colour bar with numbers over the picture (default: the scene's)")           \
     ROW(annotate, "/annotate", ANY, WORDS,                                                                             \
-        "marks over the picture, with commas between them: box (dimensions), title, triad, scale, labels (of parts)")  \
+        "marks over the picture, with commas between them: box (dimensions), title, triad, scale, labels (of parts), " \
+        "holes")                                                                                                       \
     ROW(title, "/title", ANY, NAME, "text of the title line (default: the name of the model)")                         \
     ROW(render, "/render", ANY, BOOL,                                                                                  \
         "pictures; false: only facts, by the channel info; nothing is drawn (default: true)")                          \

@@ -39,8 +39,9 @@ static const struct {
 static void count_geometry(const struct zr_scene *scene, const struct zr_cost_passes *passes, double *counts)
 {
     const double times = passes->centres + passes->samples + passes->maps;
-    const bool has_info = zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO);
-    const bool finds_features = scene->has_features || zr_view_picks(&scene->views[0]);
+    const bool notes_holes = zr_view_notes_holes(&scene->views[0]) && !scene->is_undrawn;
+    const bool has_info = zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO) || notes_holes;
+    const bool finds_features = scene->has_features || zr_view_picks(&scene->views[0]) || notes_holes;
     const bool finds_boxes = zr_view_space(&scene->views[0], ZR_CHANNEL_POSITION) == ZR_SPACE_NOCS;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];

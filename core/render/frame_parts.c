@@ -147,7 +147,9 @@ static struct zr_part_facts *list_parts(struct zr_arena *arena, const struct zr_
 static enum zr_status find_features(const struct zr_run *run, const struct zr_scene *scene,
                                     struct zr_known_parts *parts)
 {
-    if (!scene->has_features && scene->views[0].picks.count == 0) return ZR_OK;
+    const struct zr_view *view = &scene->views[0];
+    if (!scene->has_features && view->picks.count == 0 && !zr_annotate_has(&view->annotate, ZR_ANNOTATE_HOLES))
+        return ZR_OK;
     struct zr_part_features *features = zr_arena_alloc(run->arena, parts->list.count, sizeof *features);
     parts->features = features;
     return features ? zr_part_features_find(run, scene, &parts->list, parts->facts, features) : ZR_NO_MEMORY;
@@ -164,12 +166,27 @@ enum zr_status zr_known_parts_make(const struct zr_run *run, const struct zr_sce
     return status == ZR_OK ? find_features(run, scene, out) : status;
 }
 
+enum zr_status zr_frame_features_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
+{
+    const struct zr_known_parts *known = scene->known_parts;
+    struct zr_known_parts *own = zr_arena_alloc(run->arena, 1, sizeof *own);
+    if (!own) return ZR_NO_MEMORY;
+    const enum zr_status status = known && known->features ? ZR_OK : zr_known_parts_make(run, scene, own);
+    if (status != ZR_OK) return status;
+    if (!known || !known->features) known = own;
+    frame->known_parts = known;
+    frame->parts.list = known->list;
+    frame->parts.facts = known->facts;
+    frame->parts.features = known->features;
+    return ZR_OK;
+}
+
 enum zr_status zr_frame_parts_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
     const struct zr_run inner = zr_run_in(run, run->scratch);
     struct zr_frame_parts *parts = &frame->parts;
     struct zr_known_parts own;
-    const struct zr_known_parts *known = scene->known_parts;
+    const struct zr_known_parts *known = frame->known_parts ? frame->known_parts : scene->known_parts;
     enum zr_status status = ZR_OK;
     if (!known) {
         struct zr_part_facts *facts = list_parts(run->arena, scene, &own);

@@ -131,10 +131,10 @@ const struct zr_json_field zr_scene_fields[] = {
                             .schema = ZR_SCHEMA({"anyOf" : [ {"type" : "boolean"}, {"$ref" : "#/$defs/colorBar"} ]})},
     [ZR_SCENE_ANNOTATE] = {"annotate", zr_read_annotate, 0, .otherwise = "[]",
                            .text = "marks over the picture: dimensions of the box, title, triad of axes, scale bar, "
-                                   "labels of parts",
+                                   "labels of parts, notes of holes",
                            .schema = ZR_SCHEMA({
                                "type" : "array",
-                               "items" : {"enum" : [ "box", "title", "triad", "scale", "labels" ]}
+                               "items" : {"enum" : [ "box", "title", "triad", "scale", "labels", "holes" ]}
                            })},
     [ZR_SCENE_TITLE] = {"title", zr_read_title, 0, .otherwise = "the model's name",
                         .text = "text of the title line, which annotate draws",
