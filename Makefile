@@ -78,6 +78,8 @@ DATA ?= ../shared/data
 # For `make fuzz`: seconds for each target.
 FUZZ_SECONDS ?= 20
 FUZZ_CC ?= clang
+# For `make test-clang`.
+CLANG ?= clang
 # For `make cross`, whose program is linked statically: qemu then needs nothing else of that machine.
 CROSS_CC ?= aarch64-linux-gnu-gcc
 
@@ -92,6 +94,8 @@ objects = $(patsubst %.c,$(plain)/%.o,$(wildcard $(1)))
 # By the compiler's own macros. On a bare machine there is none yet: what a target installs, the make that it calls next
 # finds, and this one is to build nothing itself.
 macros := $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null)
+# Our enumerations are integer constants, with which floats are computed, too. gcc has no such warnings.
+OURS += $(if $(findstring __clang__,$(macros)),-Wno-enum-float-conversion -Wno-enum-enum-conversion)
 target := $(firstword $(foreach name,x86_64 aarch64,$(if $(findstring __$(name)__,$(macros)),$(name))))
 isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
@@ -226,6 +230,14 @@ test-more: ## tests that make test leaves to CI: examples of the manual, mutants
 	@$(MAKE) -s -j$(JOBS) tests
 	@CC="$(CC)" PYTHON="$(PYTHON)" DATA="$(DATA)" tests/run.sh $(BUILD) docs pictures mutants
 
+# One that is wrong about a loop draws other lines, and says nothing.
+.PHONY: test-clang
+test-clang: ## drawings of models by another compiler: the same pixels; CLANG=clang-19
+	@.ci/need $(NEED_BUILD) $(NEED_TEST) '$(CLANG)=$(CLANG)?'
+	@if command -v $(CLANG) >/dev/null; then $(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/$(CLANG) CC=$(CLANG) isas=scalar \
+		$(BUILD)/$(CLANG)/tests/property/test_model_lines && ZRASTER_DATA=$(DATA) $(BUILD)/$(CLANG)/tests/property/test_model_lines; \
+		else echo "LEFT OUT: there is no $(CLANG)" >&2; fi
+
 .PHONY: browser
 browser: ## animated PNG and WebP in Chromium, which is installed: screenshots equal the frames; build/browser
 	@.ci/need $(NEED_BUILD) $(NEED_BROWSER)
@@ -324,6 +336,14 @@ read-labels: ## tesseract reads 200 dimension labels in the letters of captions,
 	@.ci/need $(NEED_BUILD) tesseract=tesseract-ocr /usr/share/doc/tesseract-ocr-script-latn=tesseract-ocr-script-latn
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster-labels
 	@tests/peers/labels.sh $(BUILD)
+
+SOLID_PACKAGES := manifold-3d@3.5.4
+.PHONY: judge-compare
+judge-compare: ## volumes of random pairs of solids beside those of manifold-3d (npm): PAIRS=200 SEED=1
+	@.ci/need $(NEED_BUILD) $(NEED_NODE)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/solids $(SOLID_PACKAGES)
+	@node tests/peers/solids/judge.mjs $(BUILD) $(abspath $(BUILD)/solids) $(or $(PAIRS),200) $(or $(SEED),1)
 
 .PHONY: gltf-variants
 gltf-variants: ## models beside their sparse, meshopt, quantized, WebP and Draco variants by gltf-transform (npm): FILES="DIR..."
@@ -449,7 +469,7 @@ functions: ## prints the lines of core/ and server/, of their functions, and the
 	@python3 tests/make/functions.py $(ARGS)
 
 .PHONY: systems
-systems: ## make demo and make test in bare roots of Debian 12, 13 and testing (root); SYSTEMS=13, KEEP=1: tests/systems/run.sh
+systems: ## make demo, make test and make test-clang in bare roots of Debian 12, 13 and testing (root); SYSTEMS=13, KEEP=1: tests/systems/run.sh
 	@.ci/need $(NEED_SYSTEMS)
 	@SYSTEMS="$(SYSTEMS)" ROOTS="$(ROOTS)" MIRROR="$(MIRROR)" TARGETS="$(TARGETS)" KEEP="$(KEEP)" DATA="$(DATA)" tests/systems/run.sh
 
@@ -536,6 +556,13 @@ bench-mcp: ## calls of /mcp beside the same pictures by /v1/render, in turns: RO
 	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
 	@$(PYTHON) tests/bench/mcp.py $(BUILD) $(or $(ROUNDS),41) $(DATA)/models/parts/gear.obj $(DATA)/models/parts/housing.obj $(DATA)/models/stanford-bunny.obj
+
+.PHONY: bench-compare
+bench-compare: ## two spheres of 65 024 triangles compared over HTTP, beside booleans of manifold-3d (npm), in turns: ROUNDS=9
+	@.ci/need $(NEED_BUILD) $(NEED_NODE)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/solids $(SOLID_PACKAGES)
+	@node tests/peers/solids/bench.mjs $(BUILD) $(abspath $(BUILD)/solids) $(or $(ROUNDS),9)
 
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB), and loading of meshes: MESH=../shared/data/models/stanford-bunny.obj

@@ -22,6 +22,7 @@
     KIND(PARTS, "NAME,...")   /* names, patterns or ids of parts, with commas between them */                          \
     KIND(PRESETS, "NAME,...") /* names of presets, with commas between them */                                         \
     KIND(WORDS, "NAME,...")   /* words of the key, with commas between them */                                         \
+    KIND(PIXEL_LIST, "X,Y ...") /* pixels, with blanks between them */                                                  \
     KIND(PLANES, "PLANES")    /* AXIS[:FRACTION[:KEEP]], with commas between planes */                                 \
     KIND(COLOR, "COLOR")      /* opaque */                                                                             \
     KIND(BACKGROUND, "COLOR")                                                                                          \

@@ -28,7 +28,8 @@
     ROW(member, "/query/member", ANY, NAME, "file to draw of a ZIP archive with several models")                       \
     ROW(colorBar, "/colorBar", ANY, BOOL, "colour bar with numbers over the picture (default: the scene's)")           \
     ROW(annotate, "/annotate", ANY, WORDS,                                                                             \
-        "marks over the picture, with commas between them: box (dimensions), title, triad, scale, labels (of parts)")  \
+        "marks over the picture, with commas between them: box (dimensions), title, triad, scale, labels (of parts), " \
+        "holes")                                                                                                       \
     ROW(title, "/title", ANY, NAME, "text of the title line (default: the name of the model)")                         \
     ROW(render, "/render", ANY, BOOL,                                                                                  \
         "pictures; false: only facts, by the channel info; nothing is drawn (default: true)")                          \
@@ -36,6 +37,8 @@
         "pixels of each instance, drawn alone and visible, by the channels info and masks (default: false)")           \
     ROW(features, "/features", ANY, BOOL,                                                                              \
         "holes, bosses, fillets and planes of each part, by the channel info (default: false)")                        \
+    ROW(picks, "/picks", ANY, PIXEL_LIST,                                                                              \
+        "pixels that the channel info describes, with blanks between them: part, face, point, normal, distances")     \
     ROW(views, "/views", ANY, PRESETS, "several views: names of presets with commas between them")                     \
     ROW(turntable, "/turntable/frames", ANY, WHOLE, "several views: their number, from around the scene")              \
     ROW(turntableElevation, "/turntable/elevation", ANY, DEGREES,                                                      \

@@ -68,6 +68,7 @@ struct zr_encode_input *zr_encode_input_make(struct zr_arena *arena, const struc
                                     .instance_count = scene->instance_count,
                                     .compress = scene->compress,
                                     .is_strict = scene->is_strict,
+                                    .has_features = scene->has_features,
                                     .file = scene->file,
                                     .counts = scene->counts};
     if (scene->origin) made->scene.origin = zr_arena_copy(arena, scene->origin, 3 * sizeof *scene->origin);

@@ -23,6 +23,7 @@ struct zr_cancel;
 
 struct zr_arena {
     size_t ceiling; /* bytes that one request may hold */
+    size_t whole;   /* for the arena of a view beside others: ceiling of its request, for messages; 0: `ceiling` */
     size_t used;    /* bytes allocated since the last reset, including padding and charges */
     size_t held;    /* `used`, plus the free bytes of all blocks except the current one */
     size_t peak;    /* maximum of `used` since the last reset */
@@ -85,8 +86,8 @@ bool zr_arena_charge(struct zr_arena *arena, size_t bytes);
 void zr_arena_refund(struct zr_arena *arena, size_t bytes);
 
 /* A scratch arena holds temporary data of one step, such as a library's, up to zr_arena_left of `arena`. While it is
- * open, `arena` may only be used by zr_arena_alloc_beside, which counts both. Closing frees the scratch memory, and
- * adds its peak and failure to `arena`. */
+ * open, `arena` may only be used by zr_arena_alloc_beside, which counts both. It takes spare blocks of `arena`. Closing
+ * makes its small blocks spares of `arena`, frees the others, and adds its peak and failure to `arena`. */
 struct zr_arena zr_arena_open_scratch(struct zr_arena *arena);
 void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size);
 void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena);

@@ -39,7 +39,9 @@ static const struct {
 static void count_geometry(const struct zr_scene *scene, const struct zr_cost_passes *passes, double *counts)
 {
     const double times = passes->centres + passes->samples + passes->maps;
-    const bool has_info = zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO);
+    const bool notes_holes = zr_view_notes_holes(&scene->views[0]) && !scene->is_undrawn;
+    const bool has_info = zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO) || notes_holes;
+    const bool finds_features = scene->has_features || zr_view_picks(&scene->views[0]) || notes_holes;
     const bool finds_boxes = zr_view_space(&scene->views[0], ZR_CHANNEL_POSITION) == ZR_SPACE_NOCS;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
@@ -54,7 +56,7 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
         if (has_info && triangles >= ZR_OVERLAP_FACES_LEAST) counts[ZR_COST_INFO] = 1.0;
         if (has_info) counts[ZR_COST_FACT] += scene->csg ? 2.0 * triangles : triangles;
-        if (has_info && scene->has_features) counts[ZR_COST_FEATURE] += triangles;
+        if (has_info && finds_features) counts[ZR_COST_FEATURE] += triangles;
         if (has_info) counts[ZR_COST_PART] += zr_mesh_part_count(mesh);
         if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */
             counts[ZR_COST_SECTION_CORNER] +=
@@ -65,7 +67,7 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
     }
     counts[ZR_COST_PART] = fmin(counts[ZR_COST_PART], ZR_FRAME_PARTS_MAX);
     if (has_info && scene->csg) counts[ZR_COST_INFO] += INFOS_OF_SOLID;
-    if (scene->has_features) counts[ZR_COST_FEATURE] += FEATURES_OF_PART * counts[ZR_COST_PART];
+    if (finds_features) counts[ZR_COST_FEATURE] += FEATURES_OF_PART * counts[ZR_COST_PART];
 }
 
 /* Cost per pixel of a computed data channel, relative to POSITION. */
@@ -111,7 +113,8 @@ static double layer_walks(const struct zr_view *view)
 {
     return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +
            (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0) +
-           (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0) + (zr_view_has_masks(view) ? 1.0 : 0.0);
+           (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0) + (zr_view_picks(view) ? 1.0 : 0.0) +
+            (zr_view_has_masks(view) ? 1.0 : 0.0);
 }
 
 static double square(double value)

@@ -21,7 +21,8 @@ enum {
     LAYER_SURFACE_BYTES = sizeof(struct zr_layer_surface) + 8,
     EDGE_BYTES = 7196,
     CELL_BYTES = 8,
-    LABEL_BYTES = 6
+    LABEL_BYTES = 15,
+    NOTE_BYTES = 9
 };
 
 /* True if opaque surfaces may hide layers; hidden layers take no memory, and neither do those that are cut away. */
@@ -95,8 +96,9 @@ double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_p
     if (is_lit && zr_cost_draws_lines(picture)) lines = pixels * WORD_BYTES + bytes_of_cells(view, pixels, fragments);
     const double flow = passes->has_flow ? pixels * WORD_BYTES : 0.0;
     const double masks = passes->has_masks ? bytes_of_masks(scene, pixels, fragments) : 0.0;
-    const bool has_labels = zr_annotate_fits(&view->annotate, view->width, view->height) &&
-                            zr_annotate_has(&view->annotate, ZR_ANNOTATE_LABELS);
-    if (has_labels) sum = fmax(sum, pixels * LABEL_BYTES);
+    const bool fits = zr_annotate_fits(&view->annotate, view->width, view->height);
+    const double marks = (zr_annotate_has(&view->annotate, ZR_ANNOTATE_LABELS) ? LABEL_BYTES : 0) +
+                         (zr_annotate_has(&view->annotate, ZR_ANNOTATE_HOLES) ? NOTE_BYTES : 0);
+    if (fits) sum = fmax(sum, pixels * marks);
     return pixels * passes->channel_words * WORD_BYTES + masks + fmax(fmax(sum, lines), flow);
 }

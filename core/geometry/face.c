@@ -151,12 +151,13 @@ static bool goes_round(struct around *around, struct exact to, double side)
  * a face with such neighbours counts as concave. */
 static bool cone_is_concave(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
 {
-    double volume = 0.0;
+    double volume = 0.0, most = 0.0; /* not fabs(volume): see outside_of in lines/line_pieces.c */
     int axis = 0;
     bool any = false;
     for (int i = 0; i < 4; i++) {
         double along = volume_of(mesh, begin, end, i, &any);
-        if (!(fabs(along) > fabs(volume))) continue;
+        if (!(fabs(along) > most)) continue;
+        most = fabs(along);
         volume = along;
         axis = i;
     }

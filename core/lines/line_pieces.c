@@ -280,12 +280,14 @@ static bool is_seam(const struct making *m, const struct zr_line_piece *piece, c
 static double outside_of(const struct making *m, const struct zr_line_piece *piece, const struct middle *at)
 {
     const uint32_t *corners = m->mesh->corners[m->lines->at[piece->line].triangles[0]];
-    double most = 0.0;
+    double most = 0.0, farthest = 0.0; /* not fabs(most), which clang 19 gets wrong in a loop that it unrolls */
     for (int k = 0; k < 3; k++) {
         if (corners[k] < m->mesh->vertex_count && m->mesh->outside[corners[k]]) continue;
         const struct zr_window_point *p = &m->mesh->points[corners[k]];
         const double left = (p->x - at->x) * at->left_x + (p->y - at->y) * at->left_y;
-        if (fabs(left) > fabs(most)) most = left;
+        if (!(fabs(left) > farthest)) continue;
+        farthest = fabs(left);
+        most = left;
     }
     return most > 0.0 ? -1.0 : 1.0;
 }

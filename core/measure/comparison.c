@@ -46,7 +46,7 @@ static void warn_of_alignment(const struct zr_run *run, struct zr_comparison *c)
                             c->alignment.ambiguous_count);
 }
 
-static void warn(const struct zr_run *run, struct zr_comparison *c)
+static void warn(const struct zr_run *run, bool has_no_deviation, struct zr_comparison *c)
 {
     const struct zr_solid *solids[2] = {&c->a, &c->b};
     const struct zr_own_volume *volumes[2] = {&c->volumes.a, &c->volumes.b};
@@ -65,7 +65,7 @@ static void warn(const struct zr_run *run, struct zr_comparison *c)
                                 sides[i]);
     }
     warn_of_alignment(run, c);
-    if (!c->has_deviation)
+    if (!c->has_deviation && !has_no_deviation)
         zr_warning_list_add(run->arena, &c->warnings,
                             "distances are left out: too many triangles overlap to search them");
 }
@@ -73,7 +73,7 @@ static void warn(const struct zr_run *run, struct zr_comparison *c)
 static void find_distances(struct zr_comparison *c)
 {
     const struct zr_deviation *a = &c->a_to_b, *b = &c->b_to_a;
-    c->has_deviation = !a->is_omitted && !b->is_omitted;
+    c->has_deviation = a->points > 0 && b->points > 0;
     c->is_same = c->has_volumes && c->volumes.only_a == 0.0 && c->volumes.only_b == 0.0;
     if (!c->has_deviation) return;
     const bool is_of_a = fabs(a->max) >= fabs(b->max);
@@ -87,26 +87,24 @@ static void find_distances(struct zr_comparison *c)
 }
 
 static enum zr_status measure_distances(const struct zr_run *run, const struct zr_comparison_options *options,
-                                        struct zr_surface_tree trees[2], struct zr_comparison *c)
+                                        struct zr_comparison *c)
 {
     const uint32_t points = options->is_quick ? QUICK_POINTS : ZR_DEVIATION_POINTS;
-    enum zr_status status = zr_surface_tree_make(run, &c->a, &trees[0]);
-    if (status == ZR_OK) status = zr_surface_tree_make(run, &c->b, &trees[1]);
-    const struct zr_deviation_side a = {&trees[0], c->volumes.a.has_overlap}, b = {&trees[1], c->volumes.b.has_overlap};
+    const struct zr_deviation_side a = {&c->trees[0], c->volumes.a.has_overlap},
+                                   b = {&c->trees[1], c->volumes.b.has_overlap};
     c->threshold = ZR_COMPARISON_NEAR * c->a.diagonal;
-    if (status == ZR_OK) status = zr_deviation_find(run, &a, &b, points, c->threshold, &c->a_to_b);
+    enum zr_status status = zr_deviation_find(run, &a, &b, points, c->threshold, &c->a_to_b);
     if (status == ZR_OK) status = zr_deviation_find(run, &b, &a, points, c->threshold, &c->b_to_a);
     if (status == ZR_OK) find_distances(c);
     return status;
 }
 
 /* Finds the part of each region: that of the nearest triangle of its solid. */
-static void find_region_parts(const struct zr_surface_tree trees[2], const struct zr_part_list lists[2],
-                              struct zr_comparison *c)
+static void find_region_parts(const struct zr_part_list lists[2], struct zr_comparison *c)
 {
     for (uint32_t i = 0; i < c->regions.count; i++) {
         const struct zr_region *region = &c->regions.at[i];
-        const struct zr_surface_tree *tree = &trees[region->is_b];
+        const struct zr_surface_tree *tree = &c->trees[region->is_b];
         const struct zr_part_list *list = &lists[region->is_b];
         struct zr_surface_hit hit = {.triangle = 0};
         uint64_t steps = 0;
@@ -116,12 +114,14 @@ static void find_region_parts(const struct zr_surface_tree trees[2], const struc
     }
 }
 
-static enum zr_status measure_regions(const struct zr_run *run, const struct zr_comparison_options *options,
+static enum zr_status measure_volumes(const struct zr_run *run, const struct zr_comparison_options *options,
                                       struct zr_comparison *c)
 {
     const double thin = zr_most_of(ZR_COMPARISON_THIN * c->a.diagonal, options->tolerance);
+    c->has_volumes = c->a.is_closed && c->b.is_closed && c->a.diagonal > 0.0 && c->b.diagonal > 0.0;
     if (!c->has_volumes) return ZR_OK;
-    return zr_regions_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_VOLUME_RAYS, thin, &c->regions);
+    return zr_volumes_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_VOLUME_RAYS, thin, &c->volumes,
+                           &c->regions);
 }
 
 static enum zr_status measure_parts(const struct zr_run *run, const struct zr_scene *const scenes[2],
@@ -152,23 +152,21 @@ static enum zr_status measure(const struct zr_run *run, const struct zr_scene *c
                               const struct zr_comparison_options *options, struct zr_comparison *c)
 {
     struct zr_part_list lists[2];
-    struct zr_surface_tree trees[2];
-    enum zr_status status = ZR_OK;
-    c->has_volumes = c->a.is_closed && c->b.is_closed && c->a.diagonal > 0.0 && c->b.diagonal > 0.0;
-    if (c->has_volumes)
-        status = zr_volumes_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_VOLUME_RAYS, &c->volumes);
+    enum zr_status status = measure_volumes(run, options, c);
     if (status == ZR_OK)
         status =
             zr_silhouettes_find(run, &c->a, &c->b, options->is_quick ? QUICK_RAYS : ZR_SILHOUETTE_RAYS, c->silhouettes);
-    if (status == ZR_OK) status = measure_regions(run, options, c);
     c->tolerance = options->tolerance >= 0.0 ? options->tolerance : ZR_COMPARISON_SAME * c->a.diagonal;
     if (status == ZR_OK) status = measure_parts(run, scenes, lists, c);
-    if (status != ZR_OK) return status;
-    struct zr_arena scratch = zr_arena_open_scratch(run->arena);
-    const struct zr_run inner = zr_run_in(run, &scratch);
-    status = measure_distances(&inner, options, trees, c);
-    if (status == ZR_OK) find_region_parts(trees, lists, c);
-    zr_arena_close_scratch(&scratch, run->arena);
+    c->holes.is_omitted = true;
+    if (status == ZR_OK && !options->has_no_features)
+        status = zr_hole_changes_find(run, &c->a, &c->b, c->tolerance, &c->holes);
+    const bool needs_trees = options->is_drawn || c->has_parts || !options->has_no_deviation;
+    if (status == ZR_OK && needs_trees) status = zr_surface_tree_make(run, &c->a, &c->trees[0]);
+    if (status == ZR_OK && needs_trees) status = zr_surface_tree_make(run, &c->b, &c->trees[1]);
+    if (status == ZR_OK && !options->has_no_deviation) status = measure_distances(run, options, c);
+    if (status == ZR_OK && options->has_no_deviation) find_distances(c);
+    if (status == ZR_OK && c->has_parts) find_region_parts(lists, c);
     return status;
 }
 
@@ -189,6 +187,6 @@ enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scen
     if (status != ZR_OK) return status;
     status = measure(run, (const struct zr_scene *const[2]){a, b}, options, out);
     if (status != ZR_OK) return status;
-    warn(run, out);
+    warn(run, options->has_no_deviation, out);
     return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }

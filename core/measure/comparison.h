@@ -3,8 +3,8 @@
  * Space:  that of the first file (measure/solid.h). Lengths are in its unit.
  * Closed: volumes, IoU and signs of distances need closed surfaces. Without them, boxes, areas and distances without
  *         sign are left; a warning names the rest.
- * Same:   no place of either surface is farther from the other one than the tolerance. If distances are left out
- *         (measure/deviation.h), closed solids are the same if they share their whole volume.
+ * Same:   no place of either surface is farther from the other one than the tolerance. Without distances,
+ *         as without deviation (measure/deviation.h), closed solids are the same if they share their whole volume.
  * Exact:  the same for all instruction sets and numbers of threads.
  */
 #ifndef ZR_COMPARISON_H
@@ -13,6 +13,7 @@
 #include "base/warning_list.h"
 #include "measure/align.h"
 #include "measure/deviation.h"
+#include "measure/hole_changes.h"
 #include "measure/part_changes.h"
 #include "measure/regions.h"
 #include "measure/volumes.h"
@@ -29,11 +30,14 @@
 struct zr_comparison_options {
     double tolerance; /* negative: the default */
     bool is_quick;    /* fewer rays and points */
+    bool is_drawn;    /* zr_comparison has trees, for a picture */
+    bool has_no_deviation, has_no_features;
     enum zr_align align;
 };
 
 struct zr_comparison {
     struct zr_solid a, b;
+    struct zr_surface_tree trees[2]; /* of a and b, if something needs them */
     enum zr_align align;
     struct zr_alignment alignment; /* b is moved by it */
     double silhouettes[3];         /* IoU of the silhouettes along the axes of the file (silhouettes.h) */
@@ -51,6 +55,7 @@ struct zr_comparison {
     const char *region_parts[ZR_REGIONS_MAX]; /* names of the parts that the regions belong to */
     bool has_parts;                           /* one of the models has several parts */
     struct zr_part_changes parts;
+    struct zr_hole_changes holes;
     struct zr_warning_list warnings; /* of comparing; those of the scenes are not among them */
 };
 

@@ -46,6 +46,7 @@ struct measuring {
 struct working {
     struct measuring *m;
     struct zr_surface_hit hit;
+    struct zr_surface_ball ball; /* of the last point, in the other solid */
     uint64_t steps, queries;
 };
 
@@ -83,7 +84,8 @@ static bool is_inner(struct working *w, struct zr_world_place at, uint32_t trian
 static double signed_of(struct working *w, struct zr_world_place at, double distance)
 {
     if (!w->m->is_signed || distance == 0.0) return distance;
-    return zr_surface_tree_winding(w->m->to->tree, at, &w->steps) != 0 ? -distance : distance;
+    const int winding = zr_surface_tree_winding_beside(w->m->to->tree, at, distance, &w->ball, &w->steps);
+    return winding != 0 ? -distance : distance;
 }
 
 static void take_largest(struct sums *sums, double distance, double with_sign, struct zr_world_place at)

@@ -28,6 +28,16 @@ struct zr_ray_lists {
 enum zr_status zr_ray_lists_make(const struct zr_run *run, const struct zr_solid *a, const struct zr_solid *b,
                                  int direction, uint32_t rays, struct zr_ray_lists *out);
 
+/* Rays that meet triangles, without their crossings. */
+struct zr_ray_hits {
+    struct zr_ray_grid grid;
+    const uint8_t *hits; /* per ray, row by row: 1 for the first solid, and 2 for the second one */
+};
+
+/* Finds them in the arena, as zr_ray_lists_make. */
+enum zr_status zr_ray_hits_make(const struct zr_run *run, const struct zr_solid *a, const struct zr_solid *b,
+                                int direction, uint32_t rays, struct zr_ray_hits *out);
+
 enum { ZR_CROSSING_COSINES = (1 << 14) - 1, ZR_CROSSING_HEIGHT_SHIFT = 16 };
 
 static inline uint64_t zr_crossing_of(uint64_t height, double cosine, bool is_b, bool enters)

@@ -21,7 +21,6 @@ struct zr_refined_triangle {
     struct zr_world_place at[3];
     double distance[3]; /* with sign, positive outside */
     enum zr_surface_class own;
-    bool is_whole; /* none of its edges is halved any more */
 };
 
 struct zr_refined {
@@ -33,6 +32,7 @@ struct zr_refined {
 struct zr_refining {
     double longest, finest; /* finest: HUGE_VAL for classes that do not matter */
     double near;
+    double reach; /* distances beyond it are only known to be at least this; HUGE_VAL: all are known */
 };
 
 /* Cuts the surface of `solid` by its distance from `other`, in the arena. Takes scratch and gives it back. Fails with

@@ -207,16 +207,14 @@ static enum zr_status find(struct finding *f, struct zr_regions *out)
     return zr_is_cancelled(f->run->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
-enum zr_status zr_regions_find(const struct zr_run *run, const struct zr_solid *a, const struct zr_solid *b,
-                               uint32_t rays, double thin, struct zr_regions *out)
+enum zr_status zr_regions_find(const struct zr_run *run, const struct zr_ray_lists *lists, double thin,
+                               struct zr_regions *out)
 {
     struct zr_arena scratch = zr_arena_open_scratch(run->arena);
     const struct zr_run inner = zr_run_in(run, &scratch);
-    struct zr_ray_lists lists;
-    struct finding f = {.run = &inner, .lists = &lists, .thin = thin};
+    struct finding f = {.run = &inner, .lists = lists, .thin = thin};
     *out = (struct zr_regions){.count = 0};
-    enum zr_status status = zr_ray_lists_make(&inner, a, b, 0, rays, &lists);
-    if (status == ZR_OK) status = find(&f, out);
+    const enum zr_status status = find(&f, out);
     zr_arena_close_scratch(&scratch, run->arena);
     return status;
 }

@@ -13,7 +13,7 @@
 #ifndef ZR_REGIONS_H
 #define ZR_REGIONS_H
 
-#include "measure/solid.h"
+#include "measure/ray_lists.h"
 
 enum { ZR_REGIONS_MAX = 64 };
 
@@ -32,9 +32,9 @@ struct zr_regions {
     struct zr_region at[ZR_REGIONS_MAX]; /* largest volumes first */
 };
 
-/* Finds the regions of two closed solids whose places are relative to the same middle, with up to `rays` along the
- * longest side. Takes scratch from the arena and gives it back. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
-enum zr_status zr_regions_find(const struct zr_run *run, const struct zr_solid *a, const struct zr_solid *b,
-                               uint32_t rays, double thin, struct zr_regions *out);
+/* Finds the regions of two closed solids on the rays of one oblique direction. Takes scratch from the arena and gives it
+ * back. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+enum zr_status zr_regions_find(const struct zr_run *run, const struct zr_ray_lists *lists, double thin,
+                               struct zr_regions *out);
 
 #endif

@@ -4,20 +4,17 @@
 #include "base/cancel.h"
 #include "measure/ray_lists.h"
 
-enum { RAYS_PER_CANCEL_CHECK = 1 << 13 };
+enum { RAYS_PER_CANCEL_CHECK = 1 << 16 };
 
 /* Returns the share of rays that meet both solids among those that meet one. */
-static double share_of(const struct zr_run *run, const struct zr_ray_lists *lists)
+static double share_of(const struct zr_run *run, const struct zr_ray_hits *seen)
 {
-    const uint32_t rays = lists->grid.columns * lists->grid.rows;
+    const uint32_t rays = seen->grid.columns * seen->grid.rows;
     uint32_t both = 0, any = 0;
     for (uint32_t i = 0; i < rays; i++) {
-        bool is_hit[2] = {false, false};
         if (i % RAYS_PER_CANCEL_CHECK == 0 && zr_is_cancelled(run->cancel)) break;
-        for (uint32_t k = lists->begins[i]; k < lists->begins[i + 1]; k++)
-            is_hit[zr_crossing_is_b(lists->crossings[k])] = true;
-        both += is_hit[0] && is_hit[1];
-        any += is_hit[0] || is_hit[1];
+        both += seen->hits[i] == 3;
+        any += seen->hits[i] != 0;
     }
     return any > 0 ? (double)both / (double)any : 0.0;
 }
@@ -29,9 +26,9 @@ enum zr_status zr_silhouettes_find(const struct zr_run *run, const struct zr_sol
     for (int axis = 0; axis < 3 && status == ZR_OK; axis++) {
         struct zr_arena scratch = zr_arena_open_scratch(run->arena);
         const struct zr_run inner = zr_run_in(run, &scratch);
-        struct zr_ray_lists lists;
-        status = zr_ray_lists_make(&inner, a, b, ZR_RAY_ALONG_X + axis, rays, &lists);
-        if (status == ZR_OK) iou[axis] = share_of(run, &lists);
+        struct zr_ray_hits hits;
+        status = zr_ray_hits_make(&inner, a, b, ZR_RAY_ALONG_X + axis, rays, &hits);
+        if (status == ZR_OK) iou[axis] = share_of(run, &hits);
         zr_arena_close_scratch(&scratch, run->arena);
     }
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : status;

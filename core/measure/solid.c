@@ -207,6 +207,38 @@ static void count_surfaces(const struct zr_edge_mesh *edges, const uint8_t *is_o
     out->handles = out->has_handles ? twice / 2 : 0;
 }
 
+static bool is_at(struct zr_world_place a, struct zr_world_place b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* Replaces corners of one vertex at one place by the first of them, and leaves out places that no corner has. */
+static bool join_places(const struct joining *j, uint32_t (*corners)[3], const uint32_t (*vertices)[3],
+                        struct zr_solid *out)
+{
+    uint32_t *firsts = zr_arena_alloc(j->scratch, out->vertex_count, sizeof *firsts);
+    uint32_t *numbers = zr_arena_zero(j->scratch, out->place_count, sizeof *numbers), count = 0;
+    if (!zr_arena_ok(j->scratch)) return false;
+    memset(firsts, 0xff, out->vertex_count * sizeof *firsts);
+    for (uint32_t t = 0; t < out->count && !is_due(j->run, t); t++)
+        for (int k = 0; k < 3; k++) {
+            uint32_t *first = &firsts[vertices[t][k]];
+            if (*first == UINT32_MAX) *first = corners[t][k];
+            if (is_at(out->places[*first], out->places[corners[t][k]])) corners[t][k] = *first;
+            numbers[corners[t][k]] = 1;
+        }
+    for (uint32_t i = 0; i < out->place_count && !is_due(j->run, i); i++) {
+        if (!numbers[i]) continue;
+        out->places[count] = out->places[i];
+        numbers[i] = count++;
+    }
+    for (uint32_t t = 0; t < out->count && !is_due(j->run, t); t++)
+        for (int k = 0; k < 3; k++)
+            corners[t][k] = numbers[corners[t][k]];
+    out->place_count = count;
+    return true;
+}
+
 /* Copies what stays of the triangles. */
 static bool take_triangles(const struct joining *j, const struct zr_edge_mesh *edges, struct zr_solid *out)
 {
@@ -228,7 +260,7 @@ static bool take_triangles(const struct joining *j, const struct zr_edge_mesh *e
     out->parts = parts;
     out->count = edges->triangle_count;
     out->vertex_count = edges->vertex_count;
-    return true;
+    return join_places(j, corners, (const uint32_t(*)[3])vertices, out);
 }
 
 static enum zr_status find_facts(const struct joining *j, struct zr_solid *out)

@@ -99,8 +99,15 @@ static enum zr_status measure_lists(const struct zr_run *run, struct measuring *
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
+/* Results that directions add to. */
+struct wanted {
+    struct zr_volumes *volumes;
+    double thin;
+    struct zr_regions *regions; /* NULL: none */
+};
+
 static enum zr_status measure(const struct zr_run *run, const struct zr_solid *a, const struct zr_solid *b, int number,
-                              uint32_t rays, struct row *all, struct direction *out, uint32_t *count)
+                              uint32_t rays, struct row *all, struct direction *out, const struct wanted *wanted)
 {
     struct zr_arena scratch = zr_arena_open_scratch(run->arena);
     const struct zr_run inner = zr_run_in(run, &scratch);
@@ -108,7 +115,9 @@ static enum zr_status measure(const struct zr_run *run, const struct zr_solid *a
     struct measuring m = {.cancel = run->cancel, .lists = &lists, .thin = THIN * zr_most_of(a->diagonal, b->diagonal)};
     enum zr_status status = zr_ray_lists_make(&inner, a, b, number, rays, &lists);
     if (status == ZR_OK) status = measure_lists(&inner, &m, all, out);
-    *count += lists.grid.columns * lists.grid.rows;
+    if (status == ZR_OK && number == 0 && wanted->regions)
+        status = zr_regions_find(&inner, &lists, wanted->thin, wanted->regions);
+    wanted->volumes->rays += lists.grid.columns * lists.grid.rows;
     zr_arena_close_scratch(&scratch, run->arena);
     return status;
 }
@@ -167,18 +176,27 @@ static void find_all(const struct direction *found, struct zr_volumes *out)
     if (out->only_a == 0.0 && out->only_b == 0.0 && all > 0.0) out->error = thin / all; /* each ray is shared */
 }
 
+/* Returns how far the rays are off for a whole solid whose volume is known. */
+static double excess_of(const struct zr_own_volume *own, double measured)
+{
+    return own->has_overlap ? 0.0 : fabs(measured - own->volume);
+}
+
 enum zr_status zr_volumes_find(const struct zr_run *run, const struct zr_solid *a, const struct zr_solid *b,
-                               uint32_t rays, struct zr_volumes *out)
+                               uint32_t rays, double thin, struct zr_volumes *out, struct zr_regions *regions)
 {
     struct direction found[ZR_RAY_DIRECTIONS];
+    const struct wanted wanted = {out, thin, regions};
     struct row all = {.thin = 0.0};
     *out = (struct zr_volumes){.rays = 0};
     for (int i = 0; i < ZR_RAY_DIRECTIONS; i++) {
-        const enum zr_status status = measure(run, a, b, i, rays, &all, &found[i], &out->rays);
+        const enum zr_status status = measure(run, a, b, i, rays, &all, &found[i], &wanted);
         if (status != ZR_OK) return status;
     }
     find_all(found, out);
     find_own(a, 0, &all, found, out, &out->a);
     find_own(b, 1, &all, found, out, &out->b);
+    out->volume_error +=
+        zr_most_of(excess_of(&out->a, out->both + out->only_a), excess_of(&out->b, out->both + out->only_b));
     return ZR_OK;
 }

@@ -34,11 +34,12 @@ static double area_of(const struct grouping *g, uint32_t ring)
 /* Selects the axis along which ring 0 has the largest area. Returns that area, with its sign. */
 static double choose_axis(struct grouping *g)
 {
-    double most = 0.0;
+    double most = 0.0, largest = 0.0; /* not fabs(most): see outside_of in lines/line_pieces.c */
     int best = 0;
     for (g->axis = 0; g->axis < 3; g->axis++) {
         const double area = area_of(g, 0);
-        if (!(fabs(area) > fabs(most))) continue;
+        if (!(fabs(area) > largest)) continue;
+        largest = fabs(area);
         most = area;
         best = g->axis;
     }

@@ -8,6 +8,7 @@
 #include "output/json/camera_json.h"
 #include "output/json/features_json.h"
 #include "output/json/json_print.h"
+#include "output/json/picks_json.h"
 #include "output/masks.h"
 #include "scene/camera/camera.h"
 #include "scene/looks.h"
@@ -240,7 +241,8 @@ static void print_edges(struct zr_print *print, const char *key, const struct zr
 }
 
 /* The id equals the value of the channel instanceId as long as all meshes before it are one part. */
-static void print_part(struct zr_print *print, const struct zr_frame_parts *parts, uint32_t number, const double *moved)
+static void print_part(struct zr_print *print, const struct zr_frame_parts *parts, uint32_t number, bool has_features,
+                       const double *moved)
 {
     const struct zr_part_facts *facts = &parts->facts[number];
     const uint32_t instance = parts->list.at[number].instance;
@@ -274,19 +276,20 @@ static void print_part(struct zr_print *print, const struct zr_frame_parts *part
     print_shells(print, &facts->shells);
     print_edges(print, "openEdges", &facts->open_edges, moved);
     print_edges(print, "flippedEdges", &facts->flipped_edges, moved);
-    if (parts->features) zr_features_print(print, &parts->features[number], moved);
+    if (parts->features && has_features) zr_features_print(print, &parts->features[number], moved);
     if (parts->cap_areas) zr_print_double(print, "capArea", parts->cap_areas[number]);
     if (parts->pixels) zr_print_count(print, "pixels", parts->pixels[number]);
     print_color(print, facts->color);
     zr_print_end(print, '}');
 }
 
-static void print_parts(struct zr_print *print, const struct zr_frame_parts *parts, const double *moved)
+static void print_parts(struct zr_print *print, const struct zr_frame_parts *parts, bool has_features,
+                        const double *moved)
 {
     const uint32_t count = parts->list.count;
     zr_print_begin(print, "parts", '[');
     for (uint32_t i = 0; i < count; i++)
-        print_part(print, parts, i, moved);
+        print_part(print, parts, i, has_features, moved);
     zr_print_end(print, ']');
     if (parts->list.total > count) zr_print_count(print, "partsOmitted", parts->list.total - count);
 }
@@ -346,12 +349,13 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     }
     zr_print_count(print, "instances", scene->instance_count);
     print_meshes(print, scene, patches, first);
-    print_parts(print, &frame->parts, frame->origin);
+    print_parts(print, &frame->parts, scene->has_features, frame->origin);
     if (frame->combined) print_combined(print, frame->combined);
     if (frame->masks) {
         const enum zr_status status = zr_masks_print(print, scene, frame, cancel);
         if (status != ZR_OK) return status;
     }
+    zr_picks_print(print, frame);
     zr_annotations_print(print, frame->annotations);
     if (patches && face_count <= ZR_INFO_FACES_MAX) print_faces(print, patches, face_count, first);
     zr_print_begin(print, "warnings", '[');

@@ -73,6 +73,35 @@ enum zr_status zr_fragment_parts_find(const struct zr_run *run, const struct zr_
     return owners && zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
+/* Names the part and the feature of a picked surface. */
+static void name_picked(const struct zr_scene *scene, const struct zr_frame *frame, const struct owner *owners,
+                        struct zr_picked *picked)
+{
+    const struct zr_frame_parts *parts = &frame->parts;
+    const uint32_t number = picked->face_id - 1, instance = instance_of(owners, scene->instance_count, number);
+    const bool is_face = instance < scene->instance_count;
+    const uint64_t part = is_face
+                              ? part_of(&scene->meshes[scene->instances[instance].mesh], &owners[instance], number)
+                              : part_of_cap(frame->sections, owners, number);
+    picked->is_cap = !is_face && part != UINT64_MAX;
+    picked->part = part < parts->list.count ? (uint32_t)part : UINT32_MAX;
+    if (picked->part == UINT32_MAX || picked->is_cap || !parts->features) return;
+    picked->feature = zr_feature_find_at(&parts->features[picked->part], picked->point, picked->normal);
+    picked->has_feature = picked->feature.kind != ZR_FEATURE_NONE;
+}
+
+enum zr_status zr_pick_parts_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
+{
+    const struct owner *owners = list_owners(run->scratch, scene);
+    for (uint32_t i = 0; owners && i < frame->picks.count; i++) {
+        struct zr_pick *pick = &frame->picks.at[i];
+        if (pick->is_hit) name_picked(scene, frame, owners, &pick->at);
+        for (uint32_t k = 0; k < pick->behind_count; k++)
+            name_picked(scene, frame, owners, &pick->behind[k]);
+    }
+    return owners ? ZR_OK : ZR_NO_MEMORY;
+}
+
 /* Returns false if cancelled. */
 static bool count_pixels(const struct zr_scene *scene, const struct zr_frame *frame, const struct owner *owners,
                          const struct zr_cancel *cancel, uint64_t *pixels)
@@ -118,7 +147,9 @@ static struct zr_part_facts *list_parts(struct zr_arena *arena, const struct zr_
 static enum zr_status find_features(const struct zr_run *run, const struct zr_scene *scene,
                                     struct zr_known_parts *parts)
 {
-    if (!scene->has_features) return ZR_OK;
+    const struct zr_view *view = &scene->views[0];
+    if (!scene->has_features && view->picks.count == 0 && !zr_annotate_has(&view->annotate, ZR_ANNOTATE_HOLES))
+        return ZR_OK;
     struct zr_part_features *features = zr_arena_alloc(run->arena, parts->list.count, sizeof *features);
     parts->features = features;
     return features ? zr_part_features_find(run, scene, &parts->list, parts->facts, features) : ZR_NO_MEMORY;
@@ -135,12 +166,27 @@ enum zr_status zr_known_parts_make(const struct zr_run *run, const struct zr_sce
     return status == ZR_OK ? find_features(run, scene, out) : status;
 }
 
+enum zr_status zr_frame_features_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
+{
+    const struct zr_known_parts *known = scene->known_parts;
+    struct zr_known_parts *own = zr_arena_alloc(run->arena, 1, sizeof *own);
+    if (!own) return ZR_NO_MEMORY;
+    const enum zr_status status = known && known->features ? ZR_OK : zr_known_parts_make(run, scene, own);
+    if (status != ZR_OK) return status;
+    if (!known || !known->features) known = own;
+    frame->known_parts = known;
+    frame->parts.list = known->list;
+    frame->parts.facts = known->facts;
+    frame->parts.features = known->features;
+    return ZR_OK;
+}
+
 enum zr_status zr_frame_parts_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
 {
     const struct zr_run inner = zr_run_in(run, run->scratch);
     struct zr_frame_parts *parts = &frame->parts;
     struct zr_known_parts own;
-    const struct zr_known_parts *known = scene->known_parts;
+    const struct zr_known_parts *known = frame->known_parts ? frame->known_parts : scene->known_parts;
     enum zr_status status = ZR_OK;
     if (!known) {
         struct zr_part_facts *facts = list_parts(run->arena, scene, &own);

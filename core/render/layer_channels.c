@@ -128,7 +128,7 @@ static enum zr_status draw(const struct zr_run *run, const struct zr_scene *scen
     struct zr_layer_pass *pass = zr_arena_zero(run->arena, 1, sizeof *pass);
     struct drawing drawing = {.pass = pass, .cancel = run->cancel, .frame = frame, .solid = solid};
     if (!pass) return ZR_NO_MEMORY;
-    const enum zr_status status = zr_layer_pass_make(run, scene, solid, frame, pass);
+    const enum zr_status status = zr_layer_pass_make(run, scene, solid ? ZR_LAYERS_SOLID : ZR_LAYERS_AS_DRAWN, frame, pass);
     if (status != ZR_OK) return status;
     const enum zr_channel channel = solid ? ZR_CHANNEL_THICKNESS : ZR_CHANNEL_LAYERS;
     const bool has_rays = zr_rays_of(&frame->camera, frame->width, frame->height, &drawing.rays);

@@ -19,27 +19,34 @@ static void make_see_through(struct zr_material *material)
     if (!material->is_hidden) material->alpha_mode = ZR_ALPHA_BLEND;
 }
 
+static void make_double_sided(struct zr_material *material)
+{
+    make_see_through(material);
+    if (!material->is_hidden) material->double_sided = true;
+}
+
 /* Makes faces filled and double-sided. */
 static void make_solid(struct zr_material *material)
 {
     if (material->is_hidden) return;
-    make_see_through(material);
-    material->double_sided = true;
+    make_double_sided(material);
     material->unfilled = false;
     material->outline = ZR_OUTLINE_NONE;
 }
 
-static bool see_through_scene(struct zr_arena *arena, const struct zr_scene *scene, bool solid, struct zr_scene *out)
+static bool see_through_scene(struct zr_arena *arena, const struct zr_scene *scene, enum zr_layer_kind kind,
+                              struct zr_scene *out)
 {
-    if (!zr_scene_edit_materials(arena, scene, solid ? make_solid : make_see_through, out)) return false;
-    if (solid) out->meshes = faces_alone(arena, scene);
+    static void (*const edits[])(struct zr_material *) = {make_see_through, make_double_sided, make_solid};
+    if (!zr_scene_edit_materials(arena, scene, edits[kind], out)) return false;
+    if (kind == ZR_LAYERS_SOLID) out->meshes = faces_alone(arena, scene);
     return zr_arena_ok(arena);
 }
 
-enum zr_status zr_layer_pass_make(const struct zr_run *run, const struct zr_scene *scene, bool solid,
+enum zr_status zr_layer_pass_make(const struct zr_run *run, const struct zr_scene *scene, enum zr_layer_kind kind,
                                   const struct zr_frame *frame, struct zr_layer_pass *out)
 {
-    if (!see_through_scene(run->arena, scene, solid, &out->scene)) return ZR_NO_MEMORY;
+    if (!see_through_scene(run->arena, scene, kind, &out->scene)) return ZR_NO_MEMORY;
     const struct zr_pass_desc desc = {.scene = &out->scene,
                                       .camera = &frame->camera,
                                       .window = zr_window_of(scene, frame->width, frame->height, 1),

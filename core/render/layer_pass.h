@@ -15,10 +15,16 @@ struct zr_layer_pass {
     struct zr_scene scene; /* the given scene with edited copies of its materials, in the same order */
 };
 
-/* Makes the pass. `solid`: faces only, filled and from both sides. pass.tiles.layers is NULL if nothing is drawn.
+enum zr_layer_kind {
+    ZR_LAYERS_AS_DRAWN,   /* without culled faces */
+    ZR_LAYERS_BOTH_SIDES, /* with culled faces */
+    ZR_LAYERS_SOLID       /* faces only, filled and from both sides */
+};
+
+/* Makes the pass. pass.tiles.layers is NULL if nothing is drawn.
  * Returns ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY or ZR_INTERNAL. *out points into the arena, to the scene and into
  * itself. */
-enum zr_status zr_layer_pass_make(const struct zr_run *run, const struct zr_scene *scene, bool solid,
+enum zr_status zr_layer_pass_make(const struct zr_run *run, const struct zr_scene *scene, enum zr_layer_kind kind,
                                   const struct zr_frame *frame, struct zr_layer_pass *out);
 
 /* Lists the fragments of a tile. The caller returns them to pass->tiles.layers. Overwrites `tile`. Returns NULL if

@@ -106,6 +106,7 @@ enum zr_status zr_lens_take(const struct zr_run *run, const struct zr_scene *sce
     frame->counts = pinhole->counts;
     frame->sections = pinhole->sections;
     frame->fragments = pinhole->fragments;
+    frame->picks = pinhole->picks;
     frame->pixels_without_ray = remap->nowhere;
     return status == ZR_OK ? measure(pinhole, run->cancel, frame) : status;
 }

@@ -20,6 +20,7 @@
 #include "render/mesh_lines.h"
 #include "render/pass.h"
 #include "render/picture.h"
+#include "render/picks.h"
 #include "render/pixel_fragments.h"
 #include "render/section_pass.h"
 #include "render/stage.h"
@@ -138,10 +139,12 @@ static enum zr_status draw_nothing(const struct zr_run *run, const struct zr_sce
     return zr_render_sections(run, scene, resolved, frame, &drawn);
 }
 
-/* Draws what lies over the finished picture. */
-static enum zr_status draw_overlay(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
+/* Draws what lies over the finished picture. `scene`: the drawn one, which may be cut open. */
+static enum zr_status draw_overlay(const struct zr_run *run, const struct zr_scene *whole, const struct zr_scene *scene,
+                                   struct zr_frame *frame)
 {
     enum zr_status status = ZR_OK;
+    if (zr_view_notes_holes(frame->view)) STAGE(zr_frame_features_find(run, whole, frame));
     if (scene->color_bar.is_on) zr_color_bar_draw(scene, frame);
     if (zr_view_wants(frame->view, ZR_CHANNEL_COLOR))
         STAGE(zr_annotations_make(run, scene, frame, &frame->annotations));
@@ -159,8 +162,9 @@ static enum zr_status draw(const struct zr_run *run, const struct zr_scene *scen
     if (scene->base) STAGE(zr_base_place(run, scene, frame->view, &frame->camera, &frame->base));
     if (scene->sections.count > 0) STAGE(zr_render_sections(run, scene, resolved, frame, &drawn));
     STAGE(draw_frame(run, drawn, frame));
-    STAGE(draw_overlay(run, drawn, frame));
+    STAGE(draw_overlay(run, scene, drawn, frame));
     if (zr_view_wants(frame->view, ZR_CHANNEL_FRAGMENTS)) STAGE(list_fragments(run, drawn, frame));
+    if (zr_view_picks(frame->view)) STAGE(zr_picks_find(run, drawn, NULL, frame));
     if (frame->sections) STAGE(zr_render_sections_restore(run->arena, run->cancel, frame));
     if (zr_view_wants(frame->view, ZR_CHANNEL_TRACE)) STAGE(zr_trace_make(run, scene, frame));
     return status;
@@ -184,10 +188,11 @@ static enum zr_status draw_through_lens(const struct zr_run *run, const struct z
     STAGE(zr_frame_make(run->scratch, &drawing.resolved, &pinhole));
     STAGE(draw_frame(&inner, &drawing.scene, &pinhole));
     STAGE(zr_lens_list_fragments(run, &drawing, &remap, &pinhole));
+    if (zr_view_picks(pinhole.view)) STAGE(zr_picks_find(run, &drawing.scene, &remap, &pinhole));
     STAGE(zr_render_sections_restore(run->arena, run->cancel, &pinhole));
     STAGE(zr_lens_take(run, scene, &remap, &pinhole, frame));
     if (pinhole.masks) STAGE(zr_lens_masks_take(run, &remap, pinhole.masks, frame));
-    STAGE(draw_overlay(run, scene, frame));
+    STAGE(draw_overlay(run, scene, scene, frame));
     return status;
 }
 
@@ -203,6 +208,7 @@ static enum zr_status run_pipeline(const struct zr_run *run, const struct zr_sce
     if (scene->csg && zr_view_wants(frame->view, ZR_CHANNEL_INFO))
         STAGE(zr_combined_find(run, scene, &frame->combined));
     if (frame->fragments.count > 0) STAGE(zr_fragment_parts_find(run, scene, frame));
+    if (frame->picks.count > 0) STAGE(zr_pick_parts_find(run, scene, frame));
     return status;
 }
 

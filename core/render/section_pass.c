@@ -65,6 +65,16 @@ static uint32_t whole_id(const struct zr_sections_cut *cut, uint32_t id)
     return id > 0 && id <= cut->id_count ? 1 + cut->ids[id - 1] : id;
 }
 
+static void restore_picks(const struct zr_sections_cut *cut, const struct zr_picks *picks)
+{
+    for (uint32_t i = 0; i < picks->count; i++) {
+        struct zr_pick *pick = &picks->at[i];
+        pick->at.face_id = whole_id(cut, pick->at.face_id);
+        for (uint32_t k = 0; k < pick->behind_count; k++)
+            pick->behind[k].face_id = whole_id(cut, pick->behind[k].face_id);
+    }
+}
+
 static enum zr_status restore_fragments(struct zr_arena *arena, struct zr_frame *frame)
 {
     struct zr_pixel_fragments *fragments = &frame->fragments;
@@ -86,5 +96,6 @@ enum zr_status zr_render_sections_restore(struct zr_arena *arena, const struct z
         for (uint32_t x = 0; x < frame->width; x++)
             row[x] = whole_id(frame->sections, row[x]);
     }
+    restore_picks(frame->sections, &frame->picks);
     return frame->fragments.count > 0 ? restore_fragments(arena, frame) : ZR_OK;
 }

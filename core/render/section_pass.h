@@ -13,7 +13,7 @@ enum zr_status zr_render_sections(const struct zr_run *run, const struct zr_scen
                                   const struct zr_resolved_view *resolved, struct zr_frame *frame,
                                   const struct zr_scene **drawn);
 
-/* Replaces the face ids of the frame and of its fragments, which lie in `arena`. Fails with ZR_NO_MEMORY or
+/* Replaces the face ids of the frame, and of its picks and fragments, which lie in `arena`. Fails with ZR_NO_MEMORY or
  * ZR_CANCELLED. */
 enum zr_status zr_render_sections_restore(struct zr_arena *arena, const struct zr_cancel *cancel,
                                           struct zr_frame *frame);

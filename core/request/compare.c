@@ -49,7 +49,16 @@ static enum zr_status copy_word(const char *value, size_t size, const char *name
     return ZR_OK;
 }
 
-static const char *const parameters[] = {"align", "look", "precision", "show", "tolerance", "view"};
+static enum zr_status read_switch(const char *value, size_t size, const char *name, bool *is_off,
+                                  struct zr_error *error)
+{
+    *is_off = is_word(value, size, "off");
+    if (*is_off || is_word(value, size, "on")) return ZR_OK;
+    return zr_error_add(error, ZR_BAD_REQUEST, name, "one of: on, off");
+}
+
+static const char *const parameters[] = {"align",     "deviation", "features",  "look",
+                                         "precision", "show",      "tolerance", "view"};
 
 bool zr_compare_has_parameter(const char *text)
 {
@@ -70,6 +79,10 @@ static enum zr_status read_parameter(const char *text, size_t size, struct wante
         if (out->options.is_quick || is_word(value, length, "full")) return ZR_OK;
         return zr_error_add(error, ZR_BAD_REQUEST, "precision", "one of: quick, full");
     }
+    if (is_word(text, name, "deviation"))
+        return read_switch(value, length, "deviation", &out->options.has_no_deviation, error);
+    if (is_word(text, name, "features"))
+        return read_switch(value, length, "features", &out->options.has_no_features, error);
     if (is_word(text, name, "align")) {
         const int found = find_word(value, length, zr_align_words, 4);
         out->options.align = (enum zr_align)found;
@@ -79,13 +92,15 @@ static enum zr_status read_parameter(const char *text, size_t size, struct wante
     if (is_word(text, name, "show")) {
         const int found = find_word(value, length, zr_compare_show_words, ZR_SHOW_COUNT);
         out->picture.show = found;
+        out->options.is_drawn = found > ZR_SHOW_NONE;
         if (found >= 0) return ZR_OK;
         return zr_error_add(error, ZR_BAD_REQUEST, "show", "one of: none, difference, deviation, side");
     }
     if (is_word(text, name, "look")) return copy_word(value, length, "look", out->picture.look, error);
     if (is_word(text, name, "view")) return copy_word(value, length, "view", out->picture.view, error);
     return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                        "unknown parameter; those of comparisons are align, look, precision, show, tolerance, view");
+                        "unknown parameter; those of comparisons are align, deviation, features, look, precision, "
+                        "show, tolerance, view");
 }
 
 static enum zr_status read_query(const char *query, struct wanted *out, struct zr_error *error)
@@ -116,10 +131,12 @@ double zr_compare_cost_ms(const struct zr_scene *a, const struct zr_scene *b, co
     struct zr_error error = {0};
     struct wanted wanted;
     if (read_query(query, &wanted, &error) != ZR_OK) return 0.0;
-    const double distances = wanted.options.is_quick ? 100.0 : 300.0,
-                 picture = wanted.picture.show != ZR_SHOW_NONE ? 600.0 + 0.01 * triangles : 0.0,
-                 motion = wanted.options.align != ZR_ALIGN_NONE ? 300.0 : 0.0;
-    return distances + 0.006 * triangles + picture + motion;
+    const struct zr_comparison_options *options = &wanted.options;
+    const double distances = options->has_no_deviation ? 0.0 : (options->is_quick ? 60.0 : 200.0) + 0.0015 * triangles,
+                 holes = options->has_no_features ? 0.0 : 0.0015 * triangles,
+                 picture = options->is_drawn ? 150.0 + 0.003 * triangles : 0.0,
+                 motion = options->align != ZR_ALIGN_NONE ? 200.0 : 0.0;
+    return 20.0 + 0.001 * triangles + distances + holes + picture + motion;
 }
 
 /* True if z points up in the file. */

@@ -24,6 +24,9 @@ double zr_compare_cost_ms(const struct zr_scene *a, const struct zr_scene *b, co
 /* Compares (measure/comparison.h). `query` may be NULL; its parameters are separated by "&":
  *   tolerance=LENGTH   both are the same if no place is farther from the other surface; at least 0
  *   precision=quick    fewer rays and points; else "full"
+ *   deviation=off      without distances between the surfaces; else "on". Both are then the same if they are closed and
+ *                      share their whole volume
+ *   features=off       without holes that differ; else "on"
  *   align=none         b is moved before: bounds, principal or icp (measure/align.h)
  *   show=difference    makes a scene, too: deviation or side (request/compare_scene.h); else "none"
  *   look=NAME          look of that scene; "studio"

@@ -28,7 +28,6 @@ struct shown {
 struct showing {
     const struct zr_run *run;
     const struct zr_comparison *c;
-    struct zr_surface_tree trees[2];
     struct shown meshes[MESHES_MOST];
     uint32_t count;
     double range; /* of the distances */
@@ -40,9 +39,10 @@ static enum zr_status refine(const struct showing *s, bool is_b, bool by_class, 
 {
     const struct zr_run inner = zr_run_in(s->run, s->run->scratch);
     const double size = s->c->a.diagonal, near = zr_most_of(ZR_COMPARISON_THIN * size, s->c->tolerance);
-    const struct zr_refining how = {size / SHARE, by_class ? size / FINE_SHARE : HUGE_VAL, near};
+    const struct zr_refining how = {size / SHARE, by_class ? size / FINE_SHARE : HUGE_VAL, near,
+                                    by_class ? zr_most_of(near, size / SHARE) : HUGE_VAL};
     const struct zr_solid *solid = is_b ? &s->c->b : &s->c->a;
-    const enum zr_status status = zr_refined_make(&inner, solid, &s->trees[is_b ? 0 : 1], &how, out);
+    const enum zr_status status = zr_refined_make(&inner, solid, &s->c->trees[is_b ? 0 : 1], &how, out);
     if (status != ZR_OK || !out->is_omitted) return status;
     return zr_error_add(s->run->error, ZR_BAD_SCENE, NULL,
                         "the differences cannot be drawn: too many triangles overlap to search them");
@@ -228,11 +228,8 @@ static enum zr_status keep(const struct showing *s, const struct zr_compare_pict
 enum zr_status zr_compare_scene_make(const struct zr_run *run, const struct zr_comparison *comparison,
                                      const struct zr_compare_picture *picture, bool z_is_up, struct zr_kept **scene)
 {
-    const struct zr_run inner = zr_run_in(run, run->scratch);
     struct showing s = {.run = run, .c = comparison};
-    enum zr_status status = zr_surface_tree_make(&inner, &comparison->a, &s.trees[0]);
-    if (status == ZR_OK) status = zr_surface_tree_make(&inner, &comparison->b, &s.trees[1]);
-    if (status == ZR_OK) status = make_meshes(&s, picture->show);
+    enum zr_status status = make_meshes(&s, picture->show);
     if (status == ZR_OK && s.count == 0)
         status = zr_error_add(run->error, ZR_BAD_SCENE, NULL, "there is no surface to draw");
     return status == ZR_OK ? keep(&s, picture, z_is_up, scene) : status;

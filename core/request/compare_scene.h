@@ -25,7 +25,8 @@ enum zr_compare_show { ZR_SHOW_NONE, ZR_SHOW_DIFFERENCE, ZR_SHOW_DEVIATION, ZR_S
 /* Their names, by enum zr_compare_show. */
 extern const char *const zr_compare_show_words[ZR_SHOW_COUNT];
 
-/* Makes the scene in run->arena. run->scratch, another arena, holds the rest. `z_is_up`: in the first file. Fails with
+/* Makes the scene in run->arena. run->scratch, another arena, holds the rest. The comparison has trees.
+ * `z_is_up`: in the first file. Fails with
  * ZR_BAD_SCENE if the models cannot be searched, ZR_NO_MEMORY or ZR_CANCELLED; *run->error explains it. */
 enum zr_status zr_compare_scene_make(const struct zr_run *run, const struct zr_comparison *comparison,
                                      const struct zr_compare_picture *picture, bool z_is_up, struct zr_kept **scene);

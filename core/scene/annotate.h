@@ -13,6 +13,7 @@ enum zr_annotation {
     ZR_ANNOTATE_TRIAD,  /* axes of the file */
     ZR_ANNOTATE_SCALE,  /* scale bar of parallel views */
     ZR_ANNOTATE_LABELS, /* names of parts, with leader lines */
+    ZR_ANNOTATE_HOLES,  /* notes of holes, with leader lines */
     ZR_ANNOTATE_COUNT
 };
 

@@ -59,18 +59,32 @@ static inline bool zr_view_annotates(const struct zr_view *view)
     return zr_annotate_fits(&view->annotate, view->width, view->height) && zr_view_wants(view, ZR_CHANNEL_COLOR);
 }
 
+/* True if notes of holes are among the marks. */
+static inline bool zr_view_notes_holes(const struct zr_view *view)
+{
+    return zr_view_annotates(view) && zr_annotate_has(&view->annotate, ZR_ANNOTATE_HOLES) &&
+           view->lens.model == ZR_LENS_NONE;
+}
+
+/* True if info describes picked pixels. */
+static inline bool zr_view_picks(const struct zr_view *view)
+{
+    return view->picks.count > 0 && zr_view_wants(view, ZR_CHANNEL_INFO);
+}
+
 /* True if masks of instances are made. */
 static inline bool zr_view_has_masks(const struct zr_view *view)
 {
     return view->has_visibility || zr_view_wants(view, ZR_CHANNEL_MASKS);
 }
 
-/* True if an output has pixels of the channel, or if `info`, `fragments` or the covered pixels of a `trace` are
+/* True if an output has pixels of the channel, or if `info`, picks, notes of holes, `fragments` or the covered pixels of a `trace` are
  * computed from them. */
 static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel channel)
 {
-    const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS);
+    const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) || zr_view_picks(view);
     return zr_view_has_pixels(view, channel) || (lists && channel == ZR_CHANNEL_WINDOW_DEPTH) ||
+           (channel == ZR_CHANNEL_DEPTH && zr_view_notes_holes(view)) ||
            (channel == ZR_CHANNEL_INSTANCE_ID && zr_view_has_masks(view)) ||
            (channel == ZR_CHANNEL_FACE_ID &&
             (lists || zr_view_annotates(view) || zr_view_wants(view, ZR_CHANNEL_INFO) ||

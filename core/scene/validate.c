@@ -99,6 +99,27 @@ static void check_layers(const struct zr_view *view, struct zr_error *error)
                          zr_channel_rows[channels[i]].name);
 }
 
+static void check_picks(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    char pointer[24];
+    if (!zr_view_wants(view, ZR_CHANNEL_INFO))
+        zr_error_add(error, ZR_BAD_SCENE, "/picks", "no output describes them: add the channel info");
+    if (scene->is_undrawn)
+        zr_error_add(error, ZR_BAD_SCENE, "/picks", "nothing is drawn that could be picked, since render is false");
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER)
+        zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
+                     "painter keeps no fragments, which picks need; the other algorithms do");
+    for (uint32_t i = 0; i < view->picks.count; i++) {
+        const uint32_t x = view->picks.at[i][0], y = view->picks.at[i][1];
+        snprintf(pointer, sizeof pointer, "/picks/%" PRIu32, i);
+        if (x >= view->width || y >= view->height)
+            zr_error_add(error, ZR_BAD_SCENE, pointer,
+                         "pixel %" PRIu32 ", %" PRIu32 " lies beside the window of %" PRIu32 "x%" PRIu32
+                         " pixels, the first of which is 0, 0",
+                         x, y, view->width, view->height);
+    }
+}
+
 /* Masks of instances are drawn from all fragments of the scene. */
 static void check_visibility(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
@@ -297,6 +318,7 @@ static void check_options(const struct zr_scene *scene, const struct zr_view *vi
     if (is_painter) check_layers(view, error);
     if (scene->has_features && !zr_view_wants(view, ZR_CHANNEL_INFO))
         zr_error_add(error, ZR_BAD_SCENE, "/features", "no output shows them: add the channel info");
+    if (view->picks.count > 0) check_picks(scene, view, error);
     if (zr_view_has_masks(view)) check_visibility(scene, view, error);
     if (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS)) check_pixels(view, error);
     if (scene->flow && zr_view_wants(view, ZR_CHANNEL_FLOW)) check_flow(scene, view, error);

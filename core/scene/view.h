@@ -7,6 +7,7 @@
 
 #include "base/vec.h"
 #include "scene/annotate.h"
+#include "scene/picks.h"
 
 enum zr_pose {
     ZR_POSE_PRESET,    /* fitted to the geometry */
@@ -68,6 +69,7 @@ struct zr_view {
     const struct zr_output *outputs;
     bool has_visibility; /* info lists the masks of instances */
     struct zr_annotate annotate;
+    struct zr_pick_pixels picks; /* described by info */
 
     enum zr_pose pose;
     enum zr_preset preset;

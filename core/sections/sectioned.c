@@ -191,10 +191,11 @@ static bool turn_cap(struct zr_sectioning *m, uint32_t face)
     const struct zr_slice_plane *plane = &m->cut->planes[m->slices.caps[m->cap_numbers[face]].plane];
     const uint32_t first = m->face_rings[face], end = m->face_rings[face + 1], begin = m->offsets[face];
     uint32_t largest = first;
-    double area = 0.0;
+    double area = 0.0, most = 0.0; /* not fabs(area): see outside_of in lines/line_pieces.c */
     for (uint32_t r = first; r < end; r++) {
         const double own = area_of(m, m->ring_offsets[r], m->ring_offsets[r + 1], plane->normal);
-        if (!(fabs(own) > fabs(area))) continue;
+        if (!(fabs(own) > most)) continue;
+        most = fabs(own);
         area = own;
         largest = r;
     }

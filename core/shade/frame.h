@@ -11,6 +11,7 @@
 #include "core.h"
 #include "geometry/counts.h"
 #include "mesh/facts/part_facts.h"
+#include "mesh/features/feature_at.h"
 #include "scene/camera/camera.h"
 #include "scene/scene.h"
 
@@ -24,6 +25,10 @@ struct zr_pixel_fragment {
     int front_facing; /* as in the channel */
     const char *part; /* its name; NULL: none of the listed parts has it */
     bool is_shown;    /* contributes to the pixel's colour: neither masked nor hidden by an opaque surface */
+    bool is_culled;   /* the back of a face that is drawn from its front only */
+    uint8_t solid;    /* 1 + number of the part of a combined solid (scene/csg.h) that the face belongs to, or 0 */
+    double normal[3]; /* of the triangle, unit length, to either side; world space. 0: line or point, or no area */
+    double corner[3]; /* of the triangle, in world space */
 };
 
 /* The fragments of a pixel, nearest first; at equal depth in scene order. */
@@ -31,6 +36,33 @@ struct zr_pixel_fragments {
     uint32_t x, y; /* the pixel */
     uint32_t count;
     struct zr_pixel_fragment *at;
+};
+
+/* A surface at a picked pixel. */
+struct zr_picked {
+    double point[3];   /* world space */
+    double normal[3];  /* of the face, towards the eye if picked, else to its front; 0: line or point */
+    float depth;       /* as in the channel depth */
+    uint32_t face_id;  /* as in the channel */
+    uint32_t instance; /* number, from 0 */
+    uint32_t part;     /* number in the list of parts; UINT32_MAX: none of the listed parts has it */
+    bool is_cap;       /* of a section */
+    bool has_feature;
+    struct zr_feature_at feature; /* then: in frame.parts.features[part] */
+};
+
+/* A picked pixel. */
+struct zr_pick {
+    uint32_t x, y;
+    bool is_hit; /* false: background */
+    struct zr_picked at;
+    uint32_t behind_count, behind_omitted;
+    struct zr_picked *behind; /* surfaces behind it, nearest first */
+};
+
+struct zr_picks {
+    uint32_t count;
+    struct zr_pick *at;
 };
 
 struct zr_part_features; /* mesh/features/part_features.h */
@@ -93,6 +125,8 @@ struct zr_frame {
     };
     struct zr_pixel_fragments fragments;    /* only if wanted */
     struct zr_frame_parts parts;            /* only if info is wanted */
+    const struct zr_known_parts *known_parts; /* render/frame_parts.h; found for notes of holes; NULL: none */
+    struct zr_picks picks;                  /* only if info of a view with picks is wanted */
     const struct zr_combined *combined;     /* measure/combined.h; only if info of a scene with csg is wanted */
     const struct zr_instance_masks *masks;  /* only if wanted */
     const struct zr_annotations *annotations; /* only if the view asks for some */

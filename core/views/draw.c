@@ -183,6 +183,7 @@ enum zr_status zr_views_draw_each(const struct zr_run *run, struct zr_views *vie
     for (uint32_t i = 0; i < width; i++) {
         zr_arena_init(&batch.drawings[i].arena, share);
         zr_arena_init(&batch.drawings[i].out, share);
+        batch.drawings[i].arena.whole = batch.drawings[i].out.whole = run->arena->ceiling;
     }
     status = draw_all(&batch);
     for (uint32_t i = 0; i < width; i++)

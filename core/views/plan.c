@@ -103,7 +103,7 @@ static enum zr_status plan_view(const struct zr_run *run, struct zr_views *views
     status = zr_resolved_view_find(&finding, scene, &resolved);
     if (status != ZR_OK) return zr_view_report(views, number, status, &faults, run->error);
     struct zr_cost cost = zr_scene_cost(scene, resolved);
-    if (zr_view_wants(view, ZR_CHANNEL_INFO) && zr_view_shares_parts(views->set, number)) {
+    if ((zr_view_wants(view, ZR_CHANNEL_INFO) || zr_view_notes_holes(view)) && zr_view_shares_parts(views->set, number)) {
         if (views->shares_parts) { /* part of an earlier view's cost */
             zr_cost_remove(&cost, ZR_COST_FACT);
             zr_cost_remove(&cost, ZR_COST_INFO);

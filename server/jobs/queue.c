@@ -275,8 +275,8 @@ static void end_job(struct worker *worker)
  * picture. */
 static void reset_arena(struct worker *worker)
 {
-    const size_t held = worker->arena.held, before = worker->used, older = before - before / 8;
-    size_t used = held > older ? held : older;
+    const size_t most_held = worker->arena.most, before = worker->used, older = before - before / 8;
+    size_t used = most_held > older ? most_held : older;
     if (used == 0) used = 1; /* a job ran: libraries may hold memory */
     worker->used = used;
     const size_t keep = used + used / 2 + ZR_ARENA_BLOCK;

@@ -152,7 +152,7 @@ const struct mcp_key mcp_arguments[] = {
     {"annotate", MCP_DRAWING_TOOLS,
      "{\"anyOf\":[{\"type\":\"boolean\"},{\"type\":\"array\",\"items\":{\"enum\":[$]}}],\"description\":\"Marks over "
      "each picture: box (dimensions of the bounds in the file's unit), title, triad (axes of the file), scale (a bar), "
-     "labels (names of parts). true or false: captions of a sheet, which are the default.\"}",
+     "labels (names of parts), holes (diameters and counts). true or false: captions of a sheet, which are the default.\"}",
      put_marks},
     {"width", MCP_DRAWING_TOOLS,
      SIDE(",\"description\":\"Pixels of each picture; 1024 for a sheet, 800, 640 or 512 by the number of views.\""),

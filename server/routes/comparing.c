@@ -47,18 +47,29 @@ struct comparing {
     char *numbers, *picture; /* parameters: of comparing, and of the picture */
 };
 
-/* Parts the query. False: the arena failed. */
+/* True if the query asks for a picture. */
+static bool has_picture(const char *query)
+{
+    const char *show = NULL;
+    for (const char *at = query; *at; at += strcspn(at, "&"), at += *at == '&')
+        if (strncmp(at, "show=", 5) == 0) show = at + 5;
+    return show && strncmp(show, "none", 4) != 0;
+}
+
+/* Parts the query. Distances and features are left out if the answer has no numbers. False: the arena failed. */
 static bool split_query(struct comparing *c)
 {
     const char *query = c->work->request->query ? c->work->request->query : "";
-    const size_t room = strlen(query) + 2;
+    const char *const without = "deviation=off&features=off&"; /* later values override them */
+    const size_t room = strlen(query) + strlen(without) + 2;
     c->numbers = zr_arena_zero(c->run.arena, room, 1);
     c->picture = zr_arena_zero(c->run.arena, room, 1);
     if (!zr_arena_ok(c->run.arena)) return false;
+    if (c->work->request->parts == ACCEPT_NO_PARTS && has_picture(query)) strcpy(c->numbers, without);
     while (*query) {
         const size_t size = strcspn(query, "&");
         char *to = zr_compare_has_parameter(query) ? c->numbers : c->picture;
-        if (*to) strcat(to, "&");
+        if (*to && to[strlen(to) - 1] != '&') strcat(to, "&");
         strncat(to, query, size);
         query += size + (query[size] == '&');
     }

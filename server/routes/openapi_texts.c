@@ -255,6 +255,14 @@ static const char compare[] = ZR_SCHEMA({
                     "schema": {"enum": ["full", "quick"]}
                 },
                 {
+                    "name": "deviation", "in": "query", "description": "off: without distances between the surfaces.",
+                    "schema": {"enum": ["on", "off"]}
+                },
+                {
+                    "name": "features", "in": "query", "description": "off: without holes that differ.",
+                    "schema": {"enum": ["on", "off"]}
+                },
+                {
                     "name": "show", "in": "query",
                     "description": "Kind of a picture; parameters of /v1/render set its look and size.",
                     "schema": {"enum": ["none", "difference", "deviation", "side"]}

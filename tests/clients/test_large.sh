@@ -50,6 +50,9 @@ check "a picture beyond --memory ends with 1" 1 "$zraster" ball.stl -o none.png 
 verdict "the message has the need and the limit" grep -q 'needs at least [0-9]* bytes, more than the 104857600 bytes that a request may use' complained
 verdict "and the option" grep -q -e '--memory allows more: the system can spare [0-9.]* GB' complained
 verdict "no picture is left" [ ! -e none.png ]
+check "so do views beyond it" 1 "$zraster" ball.stl -o none --views front,top --memory 100M
+verdict "with their share, and the limit" \
+    grep -q 'more than the 524[0-9]* bytes that a view may use, of the 104857600 bytes of a request' complained
 check "more memory draws it" 0 "$zraster" ball.stl -o more.png --memory 1.5GiB --size 160x120
 verdict "with the same bytes" cmp mapped.png more.png
 check "a share does, too" 0 "$zraster" ball.stl -o share.png --memory 80% --size 160x120

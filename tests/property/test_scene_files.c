@@ -86,14 +86,15 @@ static struct zr_scene without_color(const struct zr_scene *scene)
     return out;
 }
 
-/* One for each instruction set; NULL where the machine lacks it, which test_isas.c tells of. */
 struct teams {
-    struct zr_team *of[ZR_ISA_COUNT];
+    struct zr_team *of[ZR_ISA_COUNT]; /* NULL where the machine lacks it, which test_isas.c tells of */
+    int file;                         /* drawn without colours by one of the sets, the next file by another */
 };
 
 static void check_file(const char *path, void *context)
 {
-    const struct teams *teams = context;
+    struct teams *teams = context;
+    const int uncolored_by = teams->file++ % ZR_ISA_COUNT;
     struct zr_scene scene = read_file(path);
     scene.algorithm = ZR_ALGORITHM_HALFSPACE;
     const struct zr_frame *want = scene_render(&arena, NULL, &scene);
@@ -103,8 +104,9 @@ static void check_file(const char *path, void *context)
     for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
         if (teams->of[isa]) {
             assert_same(want, scene_render(&arena, teams->of[isa], &scene), false, path, zr_isa_name((enum zr_isa)isa));
-            assert_same(want, scene_render(&arena, teams->of[isa], &uncolored), true, path,
-                        zr_isa_name((enum zr_isa)isa));
+            if (isa == uncolored_by)
+                assert_same(want, scene_render(&arena, teams->of[isa], &uncolored), true, path,
+                            zr_isa_name((enum zr_isa)isa));
         }
     const bool is_see_through = scene.csg || zr_any_is_see_through(scene.materials, scene.material_count);
     const bool has_xrays = zr_any_is_xray(scene.materials, scene.material_count); /* which the painter has none of */
@@ -125,7 +127,7 @@ static void check_file(const char *path, void *context)
 
 static int check_folder(const char *folder)
 {
-    struct teams teams = {{NULL}};
+    struct teams teams = {.file = 0};
     for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
         if (zr_isa_is_available((enum zr_isa)isa)) {
             teams.of[isa] = zr_team_create_for(3, (enum zr_isa)isa);

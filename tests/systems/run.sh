@@ -1,5 +1,5 @@
 #!/bin/sh
-# run.sh: `make demo` and `make test` in bare roots of other Debian systems, one after the other. Needs root. Prints
+# run.sh: `make demo`, `make test` and `make test-clang` in bare roots of other Debian systems, one after the other. Needs root. Prints
 #
 #     13: 812 passed, 0 failed, 0 skipped
 #
@@ -8,7 +8,7 @@
 #   ROOTS    the folder of the roots and of what the makes print, some GB (/var/tmp/zraster-systems)
 #   KEEP     1: roots stay, and those that are there are used again, no longer bare
 #   MIRROR   where packages come from (http://deb.debian.org/debian)
-#   TARGETS  that are made, or scripts that are run (demo test)
+#   TARGETS  that are made, or scripts that are run (demo test test-clang)
 #   DEBS     a folder whose packages are copied to /src/debs (none)
 #   DATA     what the tests use where it is there, read-only (../shared/data)
 #
@@ -18,7 +18,7 @@ set -u
 systems=${SYSTEMS:-12 13 testing}
 roots=${ROOTS:-/var/tmp/zraster-systems}
 mirror=${MIRROR:-http://deb.debian.org/debian}
-targets=${TARGETS:-demo test}
+targets=${TARGETS:-demo test test-clang}
 data=${DATA:-../shared/data}
 debs=${DEBS:-}
 keep=${KEEP:-}

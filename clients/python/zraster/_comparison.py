@@ -75,6 +75,12 @@ class Comparison:
         return self.numbers.get("deviation", {}).get("chamfer")
 
     @property
+    def holes(self) -> Dict[str, List[Dict[str, Any]]]:
+        """Holes that were removed, added, moved or changed, by these words; empty if there was too much work."""
+        found: Dict[str, List[Dict[str, Any]]] = self.numbers.get("features", {}).get("holes", {})
+        return found
+
+    @property
     def regions(self) -> List[Dict[str, Any]]:
         """Regions that only one model has, the largest first."""
         found: List[Dict[str, Any]] = self.numbers.get("regions", [])
@@ -105,7 +111,7 @@ class Comparison:
 
         >>> zraster.compare("a.stl", "b.stl").render("deviation", look="clay").save("deviation.png")
         """
-        made = self._run({"show": show, "precision": "quick"}, cancel)
+        made = self._run({"show": show, "precision": "quick", "deviation": "off", "features": "off"}, cancel)
         scene = c.library.comparison_scene(made.pointer)
         if not scene:
             raise OptionError("show: one of: difference, deviation, side")
@@ -125,6 +131,8 @@ def compare(
     align: Optional[str] = None,
     tolerance: Optional[float] = None,
     precision: Optional[str] = None,
+    deviation: Optional[str] = None,
+    features: Optional[str] = None,
     renderer: Optional[Renderer] = None,
     cancel: Optional[Cancel] = None,
 ) -> Comparison:
@@ -134,12 +142,14 @@ def compare(
     align: motion of b before: "none" (default), "bounds", "principal" or "icp"
     tolerance: largest distance of surfaces that are the same; default: a millionth of the size of a
     precision: "full" (default), or "quick": fewer rays and points
+    deviation: "on" (default), or "off": without distances between the surfaces, which takes a third of the time
+    features: "on" (default), or "off": without holes that differ
     renderer, cancel: as for `render`
 
     >>> comparison = zraster.compare("a.stl", "b.stl", align="principal")
     >>> comparison.iou, comparison.hausdorff, comparison["deviation"]["f1"]["value"]
     """
     used = given_or_shared(renderer)
-    given = {"align": align, "tolerance": tolerance, "precision": precision}
+    given = {"align": align, "tolerance": tolerance, "precision": precision, "deviation": deviation, "features": features}
     query = {name: str(value) for name, value in given.items() if value is not None}
     return Comparison([_read("a", a, used), _read("b", b, used)], query, cancel)

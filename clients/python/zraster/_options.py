@@ -51,11 +51,13 @@ def _find(keyword: str) -> _Row:
     raise OptionError(f"unknown option: {keyword}{hint}")
 
 
-def _text(keyword: str, value: Any) -> str:
+def _text(keyword: str, value: Any, kind: str = "") -> str:
     """Converts a value to the text of a parameter."""
     value = as_list(keyword, plain(value))
     if isinstance(value, bool):
         return "true" if value else "false"
+    if kind == "PIXEL_LIST" and isinstance(value, (list, tuple)) and value and isinstance(value[0], (list, tuple)):
+        return " ".join(_text(keyword, item) for item in value)
     if isinstance(value, (list, tuple)):
         return ",".join(_text(keyword, item) for item in value)
     if isinstance(value, (int, float)):
@@ -108,6 +110,8 @@ def _is_key(row: _Row, value: Any, is_mesh: bool) -> bool:
     is_list = isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0
     if row.kind in ("PARTS", "PRESETS", "WORDS") and is_list:  # joined by commas, unless an item is an object or has a comma
         return _has_objects(value) or any("," in str(item) for item in value)
+    if row.kind == "PIXEL_LIST":
+        return False
     return isinstance(value, AbstractMapping) or (is_list and row.kind != "VECTOR")
 
 
@@ -153,7 +157,7 @@ def split(
         if _is_key(row, value, source.is_mesh):
             _set_scene_key(keys, keyword, row, value, source)
         else:
-            query[row.name] = _text(keyword, value)
+            query[row.name] = _text(keyword, value, row.kind)
     if channels is not None:
         if "channel" in query or "outputs" in keys:
             raise OptionError("channels: channel or outputs are given, too; give one of them")

@@ -235,6 +235,7 @@ enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error)
     if (zr_scene_gives(&query->given, ZR_SCENE_FEATURES)) scene->has_features = others->has_features;
     if (zr_scene_gives(&query->given, ZR_SCENE_VISIBILITY))
         scene->views[0].has_visibility = others->views[0].has_visibility;
+    if (zr_scene_gives(&query->given, ZR_SCENE_PICKS)) scene->views[0].picks = others->views[0].picks;
     if (zr_scene_gives(&query->given, ZR_SCENE_ANNOTATE))
         scene->views[0].annotate.words = others->views[0].annotate.words;
     if (zr_scene_gives(&query->given, ZR_SCENE_TITLE))

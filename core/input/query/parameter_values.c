@@ -249,6 +249,31 @@ static bool put_presets(const struct zr_parameter *p, const char *text, struct z
     return put_list(p, text, "a list of names of presets with commas between them", json);
 }
 
+/* Writes a list of pixels. Blanks, or semicolons, are between them. */
+static bool put_pixel_list(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
+{
+    static const char between[] = " \t;", wanted[] = "a list of pixels such as 320,240 with blanks between them";
+    const char *at = text + strspn(text, between);
+    zr_json_put(json, "[");
+    if (!*at) return refuse(p, text, wanted);
+    for (const char *first = at; *at; at += strspn(at, between)) {
+        zr_json_put(json, at == first ? "[" : ",[");
+        for (int i = 0; i < 2; i++) {
+            const size_t length = strspn(at, "0123456789");
+            double value;
+            if (length == 0 || length > 10 || !is_number(at, length, &value) || value > UINT32_MAX ||
+                (i == 0 && at[length] != ','))
+                return refuse(p, text, wanted);
+            zr_json_put_number(json, value);
+            zr_json_put(json, i == 0 ? "," : "]");
+            at += length + (i == 0);
+        }
+        if (*at && !strchr(between, *at)) return refuse(p, text, wanted);
+    }
+    zr_json_put(json, "]");
+    return true;
+}
+
 static bool put_words(const struct zr_parameter *p, const char *text, struct zr_json_writer *json)
 {
     return put_list(p, text, "a list of words with commas between them", json);
@@ -276,6 +301,7 @@ bool zr_parameter_put(const struct zr_parameter *p, const char *text, struct zr_
                                       [ZR_PARAMETER_PLANES] = put_planes,
                                       [ZR_PARAMETER_PRESETS] = put_presets,
                                       [ZR_PARAMETER_WORDS] = put_words,
+                                      [ZR_PARAMETER_PIXEL_LIST] = put_pixel_list,
                                       [ZR_PARAMETER_COLOR] = put_opaque,
                                       [ZR_PARAMETER_BACKGROUND] = put_background,
                                       [ZR_PARAMETER_OUTLINE] = put_outline};

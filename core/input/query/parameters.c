@@ -267,6 +267,7 @@ static void read_changed_keys(const struct reading *r, const struct zr_keeping *
     plain.views[0].output_count = view->output_count;
     plain.views[0].has_visibility = view->has_visibility;
     plain.views[0].annotate = view->annotate;
+    plain.views[0].picks = view->picks;
     if (keeping->has_view) *view = plain.views[0];
     given->json.error = r->error;
     zr_json_open(&given->json, keeping->keys, keeping->keys_size);

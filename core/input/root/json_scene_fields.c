@@ -131,10 +131,10 @@ const struct zr_json_field zr_scene_fields[] = {
                             .schema = ZR_SCHEMA({"anyOf" : [ {"type" : "boolean"}, {"$ref" : "#/$defs/colorBar"} ]})},
     [ZR_SCENE_ANNOTATE] = {"annotate", zr_read_annotate, 0, .otherwise = "[]",
                            .text = "marks over the picture: dimensions of the box, title, triad of axes, scale bar, "
-                                   "labels of parts",
+                                   "labels of parts, notes of holes",
                            .schema = ZR_SCHEMA({
                                "type" : "array",
-                               "items" : {"enum" : [ "box", "title", "triad", "scale", "labels" ]}
+                               "items" : {"enum" : [ "box", "title", "triad", "scale", "labels", "holes" ]}
                            })},
     [ZR_SCENE_TITLE] = {"title", zr_read_title, 0, .otherwise = "the model's name",
                         .text = "text of the title line, which annotate draws",
@@ -155,6 +155,19 @@ const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_FEATURES] = {"features", read_features, 0, .otherwise = "false",
                            .text = "holes, bosses, fillets and planes of each part, in the object features of info",
                            .schema = ZR_SCHEMA({"type" : "boolean"})},
+    [ZR_SCENE_PICKS] = {"picks", zr_read_picks, 0, .otherwise = "[]",
+                        .text = "pixels whose surfaces info describes: part, face, feature, point, normal, and what lies "
+                                "behind; and distances from each pick to the next",
+                        .schema = ZR_SCHEMA({
+                            "type" : "array",
+                            "items" : {
+                                "type" : "array",
+                                "items" : {"type" : "integer", "minimum" : 0},
+                                "minItems" : 2,
+                                "maxItems" : 2
+                            },
+                            "maxItems" : 64
+                        })},
     [ZR_SCENE_HIDE] = {"hide", zr_read_hide, 0, .otherwise = "[]",
                        .text = "parts that are not drawn: a name, a pattern with * and ?, an id, or a list of these",
                        .schema = ZR_SCHEMA_OF("parts")},

@@ -69,7 +69,7 @@ static void visit_facet(struct walk *w, const struct zr_ray_facet *f, visit_fn *
     uint32_t begin, end;
     zr_ray_rows(&w->grid, f, &begin, &end);
     if (!has_work(w, 1 + (uint64_t)(end - begin))) return;
-    for (uint32_t row = begin > 0 ? begin - 1 : 0; row < end + 1 && row < w->grid.rows; row++) {
+    for (uint32_t row = begin; row < end; row++) {
         uint32_t rise, fall;
         if (!zr_ray_columns(&w->grid, f, row, &rise, &fall)) continue;
         const uint32_t from = rise < fall ? rise : fall, to = rise < fall ? fall : rise;

@@ -80,7 +80,24 @@ static inline uint32_t zr_ray_cells_before(double at, double half, double size, 
     return cells <= 0.0 ? 0 : cells >= (double)count ? count : (uint32_t)cells;
 }
 
-/* Finds the rows whose middles a triangle meets. One more on either side may be met, too. */
+/* Returns the place of a row's rays along v. */
+static inline double zr_ray_row_place(const struct zr_ray_grid *grid, uint32_t row)
+{
+    return ((double)row + 0.5) * grid->height - grid->half[1];
+}
+
+/* Returns the first row that does not lie below `v`. */
+static inline uint32_t zr_ray_row_from(const struct zr_ray_grid *grid, double v)
+{
+    uint32_t row = zr_ray_cells_before(v, grid->half[1], grid->height, grid->rows);
+    while (row > 0 && zr_ray_row_place(grid, row - 1) >= v)
+        row--;
+    while (row < grid->rows && zr_ray_row_place(grid, row) < v)
+        row++;
+    return row;
+}
+
+/* Finds the rows that a triangle meets. */
 static inline void zr_ray_rows(const struct zr_ray_grid *grid, const struct zr_ray_facet *f, uint32_t *begin,
                                uint32_t *end)
 {
@@ -89,15 +106,15 @@ static inline void zr_ray_rows(const struct zr_ray_grid *grid, const struct zr_r
         low = zr_least_of(low, f->at[k].v);
         high = zr_most_of(high, f->at[k].v);
     }
-    *begin = zr_ray_cells_before(low, grid->half[1], grid->height, grid->rows);
-    *end = zr_ray_cells_before(high, grid->half[1], grid->height, grid->rows);
+    *begin = zr_ray_row_from(grid, low);
+    *end = zr_ray_row_from(grid, high);
 }
 
 /* Finds the columns at which the border of a triangle rises and falls on a row. False: it does not meet the row. */
 static inline bool zr_ray_columns(const struct zr_ray_grid *grid, const struct zr_ray_facet *f, uint32_t row,
                                   uint32_t *rise, uint32_t *fall)
 {
-    const double v = ((double)row + 0.5) * grid->height - grid->half[1];
+    const double v = zr_ray_row_place(grid, row);
     int found = 0;
     for (int k = 0; k < 3; k++) {
         const int next = (k + 1) % 3;

@@ -75,11 +75,24 @@ static void add_regions(struct line *line, const struct zr_comparison *c)
     if (count > 0) add(line, "; %u region%s", count, count == 1 ? "" : "s");
 }
 
+static void add_holes(struct line *line, const struct zr_comparison *c)
+{
+    static const char *const words[] = {"removed", "added", "moved", "changed"};
+    uint32_t counts[ZR_HOLE_CHANGE_KINDS] = {0};
+    for (uint32_t i = 0; i < c->holes.count; i++)
+        counts[c->holes.at[i].kind]++;
+    for (int kind = 0; kind < ZR_HOLE_CHANGE_KINDS; kind++)
+        if (counts[kind] > 0)
+            add(line, "%s%u hole%s %s", line->size > 0 ? "; " : "", counts[kind], counts[kind] == 1 ? "" : "s",
+                words[kind]);
+}
+
 static struct line summary_of(const struct zr_comparison *c)
 {
     struct line line = {.size = 0};
     if (c->has_volumes) add_volumes(&line, c);
     if (c->has_volumes) add_regions(&line, c);
+    add_holes(&line, c);
     if (c->has_deviation) add_distances(&line, c);
     if (!c->has_volumes) add(&line, "%sno IoU: open surfaces", line.size > 0 ? "; " : "");
     if (c->is_same) add(&line, "; same");
@@ -228,6 +241,45 @@ static void print_changes(struct zr_print *print, const struct zr_part_changes *
     zr_print_end(print, '}');
 }
 
+static struct zr_world_place place_of_hole(const struct zr_hole *hole)
+{
+    return (struct zr_world_place){hole->at.x, hole->at.y, hole->at.z};
+}
+
+static void print_hole(struct zr_print *print, const struct zr_comparison *c, const struct zr_hole_change *change)
+{
+    const bool is_in_b = change->kind == ZR_HOLE_ADDED, has_both = change->kind >= ZR_HOLE_MOVED;
+    const struct zr_hole *hole = is_in_b ? &change->b : &change->a;
+    const double axis[3] = {hole->axis.x + 0.0, hole->axis.y + 0.0, hole->axis.z + 0.0};
+    zr_print_begin(print, NULL, '{');
+    zr_print_double(print, "diameter", hole->diameter);
+    if (change->kind == ZR_HOLE_CHANGED) zr_print_double(print, "newDiameter", change->b.diameter);
+    zr_print_double(print, "depth", hole->depth);
+    if (change->kind == ZR_HOLE_CHANGED) zr_print_double(print, "newDepth", change->b.depth);
+    if (hole->reach != ZR_REACH_UNKNOWN) zr_print_bool(print, "through", hole->reach == ZR_REACH_THROUGH);
+    zr_print_doubles(print, "axis", axis, 3);
+    print_place(print, "at", c, place_of_hole(hole));
+    if (has_both) print_place(print, "newAt", c, place_of_hole(&change->b));
+    print_box(print, c, change->min, change->max);
+    zr_print_end(print, '}');
+}
+
+static void print_features(struct zr_print *print, const struct zr_comparison *c)
+{
+    static const char *const keys[] = {"removed", "added", "moved", "changed"};
+    zr_print_begin(print, "features", '{');
+    zr_print_begin(print, "holes", '{');
+    for (int kind = 0; kind < ZR_HOLE_CHANGE_KINDS; kind++) {
+        zr_print_begin(print, keys[kind], '[');
+        for (uint32_t i = 0; i < c->holes.count; i++)
+            if ((int)c->holes.at[i].kind == kind) print_hole(print, c, &c->holes.at[i]);
+        zr_print_end(print, ']');
+    }
+    if (c->holes.omitted > 0) zr_print_count(print, "omitted", c->holes.omitted);
+    zr_print_end(print, '}');
+    zr_print_end(print, '}');
+}
+
 /* Prints a motion of places in the files as the matrix of a node: column by column. */
 static void print_motion(struct zr_print *print, const char *key, const struct zr_comparison *c,
                          const struct zr_rigid *motion)
@@ -277,6 +329,7 @@ enum zr_status zr_comparison_json_write(const struct zr_comparison *c, const str
     if (c->has_deviation) print_distances(print, c);
     if (c->has_volumes) print_regions(print, c);
     if (c->has_parts) print_changes(print, &c->parts);
+    if (!c->holes.is_omitted) print_features(print, c);
     zr_print_begin(print, "warnings", '[');
     for (size_t i = 0; i < c->warnings.count; i++)
         zr_print_string(print, NULL, c->warnings.texts[i]);

@@ -7,13 +7,14 @@
 #include "base/rgba.h"
 #include "overlay/annotate/box_dimensions.h"
 #include "overlay/annotate/corner_marks.h"
+#include "overlay/annotate/hole_notes.h"
 #include "overlay/annotate/length_text.h"
 #include "overlay/annotate/part_labels.h"
 #include "overlay/annotate/place_dimensions.h"
 #include "overlay/color_bar.h"
 #include "scene/camera/mesh_up.h"
 
-static const char *const words[ZR_ANNOTATE_COUNT] = {"box", "title", "triad", "scale", "labels"};
+static const char *const words[ZR_ANNOTATE_COUNT] = {"box", "title", "triad", "scale", "labels", "holes"};
 
 /* Returns the rotation of a bare mesh's file to the world. */
 static zr_mat4 turn_of(const struct zr_scene *scene)
@@ -108,6 +109,7 @@ static void place_all(struct zr_layout *l, struct zr_annotations *made)
     l->corner_count = l->rect_count;
     if (zr_annotate_has(annotate, ZR_ANNOTATE_BOX)) zr_box_dimensions_place(l, unit);
     zr_place_dimensions_place(l, unit);
+    if (zr_annotate_has(annotate, ZR_ANNOTATE_HOLES)) zr_hole_notes_place(l, unit);
     if (zr_annotate_has(annotate, ZR_ANNOTATE_LABELS)) zr_part_labels_place(l, &made->numbered, &made->numbered_count);
 }
 
@@ -142,5 +144,6 @@ enum zr_status zr_annotations_draw(const struct zr_run *run, const struct zr_ann
 {
     if (!annotations || !frame->color) return ZR_OK;
     const struct zr_canvas canvas = {(uint32_t *)(void *)frame->color, (int32_t)frame->width, (int32_t)frame->height};
+    if (annotations->marks.count > 0) frame->spans = NULL; /* marks lie beside the model */
     return zr_marks_draw(&annotations->marks, run->cancel, &canvas);
 }

@@ -146,7 +146,9 @@ static int add_ways(const struct zr_layout *l, const struct box *box, int edge, 
     }
     const double low = my / box->half_y, right = mx / box->half_x;
     const bool is_vertical = fabs(y) > 1.2 * fabs(x);
-    const double place = is_vertical ? 0.55 * right + 0.2 * low : 0.6 * low + 0.1 * right;
+    /* labels are right of the model: leaders would cross an upright line there */
+    const double upright = zr_annotate_has(&l->frame->view->annotate, ZR_ANNOTATE_LABELS) ? -right : right;
+    const double place = is_vertical ? 0.55 * upright + 0.2 * low : 0.6 * low + 0.1 * right;
     for (int k = 1; k < 3; k++) {
         const int axis = (edge / 4 + k) % 3, end = k == 1 ? edge & 1 : edge >> 1 & 1;
         struct candidate way = {.line = {.from = p, .to = q, .text = text}, .edge = edge};

@@ -48,7 +48,6 @@ struct zr_layout {
     zr_dvec3 axes[3];               /* axes of the file, in world space */
     double eye[4];                  /* world space: a point, or with 0 as the last number the direction to the eye */
     uint32_t corner_count;          /* the first boxes: of marks in corners, and of a colour bar */
-    uint32_t first_leader;          /* lines from this one on are leaders of labels */
     uint32_t rect_count, segment_count, left_out_count;
     struct zr_rect rects[ZR_LAYOUT_RECTS];
     struct zr_segment segments[ZR_LAYOUT_SEGMENTS];

@@ -6,17 +6,19 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "overlay/annotate/leader_note.h"
 #include "scene/parts/part_list.h"
 
 /* Sizes in heights of capitals. */
 static const double apart = 2.3, inside = 2.2, dot = 0.36, stub = 1.2, number_radius = 1.1, border = 1.2;
 
-enum { PARTS_MAX = 1000, DEPTH_MAX = 60000, NAME_MAX = 200 };
+enum { PARTS_MAX = 1000, DEPTH_MAX = 60000, NAME_MAX = 200, OTHERS = 3 };
 
 /* A part that is visible. */
 struct label {
     const char *name;
-    double x, y; /* anchor */
+    double x, y; /* anchor: the rightmost place, then the topmost one */
+    struct zr_point others[OTHERS]; /* the topmost, lowest and leftmost places: anchors if no leader is free */
     double at;   /* middle of its line in the column */
     uint32_t depth;
 };
@@ -113,6 +115,15 @@ static bool make_map(struct zr_layout *l, struct finder *f, struct part_map *map
 
 /* ---- anchors ---- */
 
+/* Rows are read from the top, and a place is never at x = 0. */
+static void keep_others(struct label *label, double x, double y)
+{
+    struct zr_point *top = &label->others[0], *low = &label->others[1], *left = &label->others[2];
+    if (top->x == 0.0) *top = (struct zr_point){x, y};
+    if (low->x == 0.0 || y > low->y) *low = (struct zr_point){x, y};
+    if (left->x == 0.0 || x < left->x) *left = (struct zr_point){x, y};
+}
+
 /* Finds the anchors of all parts, which are numbered from 1. */
 static void find_anchors(const struct zr_layout *l, const struct part_map *map, struct label *labels)
 {
@@ -126,7 +137,9 @@ static void find_anchors(const struct zr_layout *l, const struct part_map *map, 
             const size_t i = (size_t)y * width + x;
             struct label *label = &labels[map->parts[i]];
             const double wanted = fmin(inside * l->letters, (double)label->depth);
-            if ((double)map->depths[i] < wanted || (double)x + 0.5 <= label->x) continue;
+            if ((double)map->depths[i] < wanted) continue;
+            keep_others(label, (double)x + 0.5, (double)y + 0.5);
+            if ((double)x + 0.5 <= label->x) continue;
             label->x = (double)x + 0.5;
             label->y = (double)y + 0.5;
         }
@@ -265,13 +278,40 @@ static bool is_label_free(const struct zr_layout *l, const struct label *label, 
     }
     for (uint32_t i = 0; i < l->segment_count; i++)
         if (zr_layout_line_meets(l->segments[i], rect)) return false;
-    for (uint32_t i = l->first_leader; i < l->segment_count; i++)
+    for (uint32_t i = 0; i < l->segment_count; i++)
         if (leaders_cross(l->segments[i], leader)) return false;
     return true;
 }
 
+static bool find_tip(const void *context, double dx, double dy, struct zr_point *tip)
+{
+    (void)dx;
+    (void)dy;
+    *tip = *(const struct zr_point *)context;
+    return true;
+}
+
+/* Draws a label that has no line in the column: anywhere beside the model. */
+static void draw_beside(struct zr_layout *l, const struct label *label, const char *name, double width,
+                        const struct zr_model_map *map)
+{
+    struct zr_leader_note note = {.cost = HUGE_VAL};
+    const struct zr_point first = {label->x, label->y};
+    if (map) zr_leader_note_find(l, map, find_tip, &first, width, &note);
+    for (int i = 0; i < OTHERS && map; i++)
+        zr_leader_note_find(l, map, find_tip, &label->others[i], width, &note);
+    if (note.cost == HUGE_VAL) {
+        zr_layout_leave_out(l, label->name, "no room");
+        return;
+    }
+    zr_leader_note_draw(l, &note, name);
+    zr_marks_add_disc(l->marks, note.leader.from, dot * l->letters, zr_layout_ink(l, l->ink, 0.0, true));
+    zr_leader_note_take(l, &note);
+}
+
 /* Draws a label on its line of the column, or on the nearest free place. */
-static void draw_label(struct zr_layout *l, const struct label *given, struct column c)
+static void draw_label(struct zr_layout *l, const struct label *given, struct column c,
+                       const struct zr_model_map *map)
 {
     enum { TRIES = 48 };
     const double h = l->letters;
@@ -279,12 +319,16 @@ static void draw_label(struct zr_layout *l, const struct label *given, struct co
     const double width = zr_type_width(name, h);
     struct label moved = *given;
     bool is_free = is_label_free(l, &moved, width, c);
-    for (int i = 2; !is_free && i < TRIES && !zr_is_cancelled(l->cancel); i++) {
-        moved.at = given->at + (i % 2 ? -0.5 : 0.5) * h * (i / 2);
-        is_free = moved.at >= c.top && moved.at <= c.bottom && is_label_free(l, &moved, width, c);
+    for (int anchor = 0; anchor <= OTHERS && !is_free; anchor++) {
+        if (anchor > 0) moved.x = given->others[anchor - 1].x;
+        if (anchor > 0) moved.y = given->others[anchor - 1].y;
+        for (int i = anchor > 0 ? 0 : 2; !is_free && i < TRIES && !zr_is_cancelled(l->cancel); i++) {
+            moved.at = given->at + (i % 2 ? -0.5 : 0.5) * h * (i / 2);
+            is_free = moved.at >= c.top && moved.at <= c.bottom && is_label_free(l, &moved, width, c);
+        }
     }
     if (!is_free) {
-        zr_layout_leave_out(l, given->name, "no room");
+        draw_beside(l, given, name, width, map);
         return;
     }
     const struct zr_segment leader = leader_of(l, &moved, c);
@@ -355,6 +399,7 @@ void zr_part_labels_place(struct zr_layout *l, const struct zr_numbered_part **n
     const struct zr_part_list list = zr_part_list_make(l->arena, l->scene, PARTS_MAX);
     struct label *labels = zr_arena_zero(l->arena, (size_t)list.count + 1, sizeof *labels);
     struct part_map map;
+    struct zr_model_map around;
     struct finder finder;
     uint32_t seen = 0;
     double widest = 0.0;
@@ -378,7 +423,7 @@ void zr_part_labels_place(struct zr_layout *l, const struct zr_numbered_part **n
     }
     set_lines(l->arena, labels, seen, step, c);
     uncross(l, labels, seen, c);
-    l->first_leader = l->segment_count;
+    const bool has_map = zr_model_map_make(l, &around);
     for (uint32_t i = 0; i < seen; i++)
-        draw_label(l, &labels[i], c);
+        draw_label(l, &labels[i], c, has_map ? &around : NULL);
 }

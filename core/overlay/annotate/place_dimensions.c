@@ -16,7 +16,7 @@ struct given {
     struct zr_point from, to, foot;
     double pixels, length;
     const char *text;
-    bool is_seen;
+    bool is_seen, is_drawn;
 };
 
 /* Moves a place of the file to the world. A scene in JSON has its origin subtracted already. */
@@ -64,12 +64,23 @@ static double reach_of(const struct zr_layout *l, struct zr_point from, double n
     return most;
 }
 
+/* Half the size of a cross in heights of capitals. */
+static const double cross_size = 0.35;
+
 /* Draws a small cross. */
 static void draw_cross(struct zr_layout *l, struct zr_point at)
 {
-    const double r = 0.35 * l->letters;
+    const double r = cross_size * l->letters;
     zr_layout_draw(l, (struct zr_segment){{at.x - r, at.y}, {at.x + r, at.y}}, l->dimension, 0.7, true);
     zr_layout_draw(l, (struct zr_segment){{at.x, at.y - r}, {at.x, at.y + r}}, l->dimension, 0.7, true);
+}
+
+/* Keeps leaders, which are placed later, off a cross. Extension lines begin at it. */
+static void take_cross(struct zr_layout *l, struct zr_point at)
+{
+    const double r = cross_size * l->letters;
+    zr_layout_take_line(l, (struct zr_segment){{at.x - r, at.y}, {at.x + r, at.y}});
+    zr_layout_take_line(l, (struct zr_segment){{at.x, at.y - r}, {at.x, at.y + r}});
 }
 
 /* Draws the dimension in the nearest free row, on the side that needs the shorter way first. */
@@ -134,6 +145,14 @@ void zr_place_dimensions_place(struct zr_layout *l, const char *unit)
         draw_cross(l, all[i].from);
         draw_cross(l, all[i].to);
         const bool is_moved = all[i].foot.x != all[i].to.x || all[i].foot.y != all[i].to.y;
+        all[i].is_drawn = true;
         if (is_moved) zr_layout_draw(l, (struct zr_segment){all[i].to, all[i].foot}, l->dimension, 0.4, true);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (!all[i].is_drawn) continue;
+        take_cross(l, all[i].from);
+        take_cross(l, all[i].to);
+        if (all[i].foot.x != all[i].to.x || all[i].foot.y != all[i].to.y)
+            zr_layout_take_line(l, (struct zr_segment){all[i].to, all[i].foot});
     }
 }

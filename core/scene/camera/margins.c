@@ -4,7 +4,8 @@
 
 /* Room in heights of capitals. */
 static const double title_room = 4.6, corner_room = 4.6, edge_room = 1.0, offset = 2.6, line_room = 1.8,
-                    number_room = 3.2, letter_room = 0.8, leader_room = 3.0, triad_width = 7.7, scale_height = 4.0;
+                    number_room = 3.2, letter_room = 0.8, leader_room = 3.0, triad_width = 7.7, scale_height = 4.0,
+                    note_room = 3.0;
 
 /* Offset of dimensions as a share of the shorter side, at least; largest room for labels as a share of the width. */
 static const double offset_share = 0.055, label_share = 0.36, most_share = 0.36;
@@ -50,6 +51,12 @@ struct zr_margins zr_view_margins(const struct zr_view *view)
     if (has_triad || has_scale) bottom = fmax(bottom, corner_room * h);
     if (has_triad && has_lines) left = fmax(left, triad_width * h);
     if (has_scale && has_lines) bottom = fmax(bottom, scale_height * h + lines + 0.5 * line_room * h);
+    if (zr_annotate_has(annotate, ZR_ANNOTATE_HOLES)) {
+        left += note_room * h;
+        right += note_room * h;
+        top = fmax(top, title_room * h);
+        bottom += line_room * h;
+    }
     if (zr_annotate_has(annotate, ZR_ANNOTATE_LABELS)) {
         const uint32_t letters = annotate->label_letters ? annotate->label_letters : LETTERS_ASSUMED;
         right += fmin((letter_room * (double)letters + leader_room) * h, label_share * width);

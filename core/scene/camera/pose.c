@@ -153,7 +153,7 @@ double zr_pose_matrix_scale(const zr_mat4 *m)
 static bool measures_in_eye_space(const struct zr_view *view)
 {
     return zr_view_wants(view, ZR_CHANNEL_DEPTH) || zr_view_wants(view, ZR_CHANNEL_DISTANCE) ||
-           zr_view_wants(view, ZR_CHANNEL_THICKNESS) || zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ||
+           zr_view_wants(view, ZR_CHANNEL_THICKNESS) || zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) || zr_view_picks(view) ||
            (zr_view_wants(view, ZR_CHANNEL_POSITION) && zr_view_space(view, ZR_CHANNEL_POSITION) == ZR_SPACE_CAMERA);
 }
 

@@ -231,6 +231,9 @@ static enum zr_status check_sheet(const struct zr_scene *scene, struct zr_error 
     if (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS))
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
                             "cannot be combined with the channel fragments, which describes one pixel of one view");
+    if (view->picks.count > 0)
+        return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
+                            "cannot be combined with picks, which are pixels of one view");
     if (zr_view_wants(view, ZR_CHANNEL_TRACE))
         return zr_error_add(error, ZR_BAD_SCENE, "/sheet",
                             "cannot be combined with the channel trace, which describes one view");

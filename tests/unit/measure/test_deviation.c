@@ -61,6 +61,32 @@ TEST_AROUND(distances_from_a_box_are_those_of_the_formula, open_arena, close_are
     }
 }
 
+/* A walk whose steps are short and long, near the surface and far from it. */
+TEST_AROUND(winding_numbers_beside_a_place_are_those_of_whole_rays, open_arena, close_arena)
+{
+    const struct model torus = model_torus(&arena, 1, 0.4, 60, 30);
+    const struct zr_surface_tree tree = tree_of(&torus.mesh, NULL);
+    struct random random = random_seeded(3);
+    struct zr_surface_hit hit = {0};
+    struct zr_surface_ball ball = {.is_known = false};
+    uint64_t steps = 0;
+    double at[3] = {1, 0, 0};
+    int inside = 0;
+    for (int i = 0; i < 5000; i++) {
+        for (int k = 0; k < 3; k++) {
+            const double step = (random_below(&random, 2001) / 1000.0 - 1) * (i % 7 == 0 ? 1 : 0.05);
+            if (fabs(at[k] + step) < (k == 2 ? 0.6 : 1.6) && (i % 5 > 0 || k == i % 3)) at[k] += step;
+        }
+        const struct zr_world_place place = {at[0], at[1], at[2]};
+        zr_surface_tree_nearest(&tree, place, -1, &hit, &steps);
+        const int winding = zr_surface_tree_winding(&tree, place, &steps);
+        assert_int_equal(zr_surface_tree_winding_beside(&tree, place, sqrt(hit.square), &ball, &steps), winding);
+        assert_int_equal(zr_surface_tree_within(&tree, place, 0.1, &hit, &steps), hit.square < 0.01);
+        inside += winding;
+    }
+    assert_in_range(inside, 500, 4500);
+}
+
 TEST_AROUND(a_fine_mesh_gives_the_same_as_a_walk_over_all_triangles, open_arena, close_arena)
 {
     const struct model torus = model_torus(&arena, 1, 0.4, 61, 37);

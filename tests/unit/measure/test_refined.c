@@ -34,7 +34,7 @@ TEST_AROUND(classes_have_the_areas_of_the_formulas, open_arena, close_arena)
 {
     const struct model a = model_box(&arena, (const double[3]){0.3, 0, 0}, (const double[3]){1, 1, 1}),
                        b = model_box(&arena, (const double[3]){0, 0, 0}, (const double[3]){1, 1, 1});
-    const struct zr_refining how = {0.1, 0.005, 1e-6};
+    const struct zr_refining how = {0.1, 0.005, 1e-6, HUGE_VAL};
     const struct zr_refined all = refined_of(&a.mesh, &b.mesh, &how, NULL);
     double areas[ZR_SURFACE_CLASSES] = {0}, longest = 0;
     for (uint32_t i = 0; i < all.count; i++) {
@@ -56,7 +56,7 @@ TEST_AROUND(pieces_meet_along_whole_edges, open_arena, close_arena)
 {
     const struct model a = model_sphere(&arena, 1, 24, (const double[3]){0.4, 0, 0}),
                        b = model_sphere(&arena, 1, 24, (const double[3]){0, 0, 0});
-    const struct zr_refining how = {0.3, 0.03, 1e-6};
+    const struct zr_refining how = {0.3, 0.03, 1e-6, HUGE_VAL};
     const struct zr_refined all = refined_of(&a.mesh, &b.mesh, &how, NULL);
     struct zr_run run = {.arena = &arena};
     struct model again = model_begin(&arena, 3 * all.count, all.count);
@@ -73,7 +73,7 @@ TEST_AROUND(pieces_are_the_same_for_all_numbers_of_threads, open_arena, close_ar
 {
     const struct model a = model_torus(&arena, 1, 0.4, 40, 20),
                        b = model_sphere(&arena, 1, 40, (const double[3]){0, 0, 0});
-    const struct zr_refining how = {0.3, 0.03, 1e-6};
+    const struct zr_refining how = {0.3, 0.03, 1e-6, HUGE_VAL};
     const struct zr_refined one = refined_of(&a.mesh, &b.mesh, &how, NULL);
     struct zr_team *team = zr_team_create(4);
     const struct zr_refined four = refined_of(&a.mesh, &b.mesh, &how, team);

@@ -11,7 +11,9 @@ static struct zr_regions regions_of(const struct zr_mesh *a, const struct zr_mes
     const struct zr_world_place zero = {0, 0, 0};
     const struct zr_solid first = model_solid(&run, a, &zero), second = model_solid(&run, b, &zero);
     static struct zr_regions out;
-    assert_int_equal(zr_regions_find(&run, &first, &second, rays, thin, &out), ZR_OK);
+    struct zr_ray_lists lists;
+    assert_int_equal(zr_ray_lists_make(&run, &first, &second, 0, rays, &lists), ZR_OK);
+    assert_int_equal(zr_regions_find(&run, &lists, thin, &out), ZR_OK);
     return out;
 }
 

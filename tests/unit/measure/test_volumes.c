@@ -15,7 +15,7 @@ static struct zr_volumes volumes_of(const struct zr_mesh *a, const struct zr_mes
     const struct zr_solid first = model_solid(&run, a, NULL), second = model_solid(&run, b, &first.middle);
     struct zr_volumes out;
     assert_true(first.is_closed && second.is_closed);
-    assert_int_equal(zr_volumes_find(&run, &first, &second, rays, &out), ZR_OK);
+    assert_int_equal(zr_volumes_find(&run, &first, &second, rays, 0, &out, NULL), ZR_OK);
     return out;
 }
 
@@ -144,9 +144,9 @@ TEST_AROUND(a_raised_cancel_and_a_full_arena_end_it, open_arena, close_arena)
     struct zr_volumes out;
     struct zr_solid again;
     assert_int_equal(zr_solid_make(&cancelled, model_scene(&a.mesh, 0), NULL, &again), ZR_CANCELLED);
-    assert_int_equal(zr_volumes_find(&cancelled, &solid, &solid, 256, &out), ZR_CANCELLED);
+    assert_int_equal(zr_volumes_find(&cancelled, &solid, &solid, 256, 0, &out, NULL), ZR_CANCELLED);
     arena.ceiling = arena.held;
-    assert_int_equal(zr_volumes_find(&run, &solid, &solid, 256, &out), ZR_NO_MEMORY);
+    assert_int_equal(zr_volumes_find(&run, &solid, &solid, 256, 0, &out, NULL), ZR_NO_MEMORY);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -1,7 +1,10 @@
 /* Marks over the picture: they lie in the window, do not overlap, and are the same by any number of threads. */
 #include "overlay/annotate/annotate.h"
 
+#include "base/team.h"
 #include "overlay/annotate/length_text.h"
+#include "support/files.h"
+#include "support/pictures/png.h"
 #include "support/scenes.h"
 #include "support/tests.h"
 #include "unit/common/json_check.h"
@@ -115,6 +118,22 @@ TEST(many_parts_have_numbers_and_a_table)
     reading_free(reading);
 }
 
+/* Marks lie beside the model, in columns that hold nothing else. */
+TEST(files_have_the_marks_of_the_frame)
+{
+    struct reading *reading = read_scene("{\"window\": {\"width\": 256, \"height\": 256}, \"annotate\": [\"box\", "
+                                         "\"title\", \"triad\"], \"title\": \"cube\", "
+                                         "\"meshes\": [{\"shape\": {\"type\": \"box\", \"size\": 1}}]}");
+    const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+    const struct zr_answer answer = scene_encode(&reading->arena, NULL, reading->scene);
+    uint32_t width, height;
+    uint8_t *pixels = png_memory_read(answer.bytes, answer.size, PNG_AS_RGBA, &width, &height);
+    assert_non_null(pixels);
+    assert_memory_equal(pixels, frame->color, 4 * 256 * 256);
+    free(pixels);
+    reading_free(reading);
+}
+
 TEST(only_the_color_channel_has_marks)
 {
     static const int side[] = {240, 200};
@@ -144,6 +163,122 @@ TEST(small_windows_have_no_marks_but_a_list)
     assert_int_equal(frame->annotations->left_out_count, 2);
     assert_string_equal(frame->annotations->left_out[0].what, "box");
     reading_free(reading);
+}
+
+/* Reads the drilled plate of tests/scenes, from another side and in another window. */
+static struct reading *read_plate(const char *view, int width, int height)
+{
+    static char text[1 << 16];
+    size_t size;
+    char *scene = file_read("tests/scenes/annotate-holes.json", &size);
+    assert_non_null(scene);
+    snprintf(text, sizeof text, "{\"view\": %s, \"window\": {\"width\": %d, \"height\": %d}, %s", view, width, height,
+             strstr(scene, "\"look\""));
+    free(scene);
+    return read_scene(text);
+}
+
+static const struct zr_mark *mark_of(const struct zr_marks *marks, const char *text)
+{
+    for (uint32_t i = 0; i < marks->count; i++)
+        if (marks->at[i].kind == ZR_MARK_TEXT && strcmp(marks->at[i].text, text) == 0) return &marks->at[i];
+    return NULL;
+}
+
+static double side_of(struct zr_point a, struct zr_point b, struct zr_point p)
+{
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+/* Leaders have three points, other lines two. */
+static void assert_no_leader_crosses(const struct zr_marks *marks, const char *view)
+{
+    for (uint32_t i = 0; i < marks->count; i++)
+        for (uint32_t k = 0; k < marks->count; k++) {
+            if (i == k || marks->at[i].kind != ZR_MARK_LINES || marks->at[k].kind != ZR_MARK_LINES) continue;
+            if (marks->at[i].path.ends[0] != 3 || marks->at[k].path.ends[0] > 3) continue;
+            const struct zr_point *a = marks->at[i].path.points, *b = marks->at[k].path.points;
+            for (uint32_t n = 1; n < marks->at[k].path.ends[0]; n++)
+                if (side_of(a[0], a[1], b[n - 1]) * side_of(a[0], a[1], b[n]) < -1.0 &&
+                    side_of(b[n - 1], b[n], a[0]) * side_of(b[n - 1], b[n], a[1]) < -1.0)
+                    fail_msg("view %s: leader %u crosses line %u", view, i, k);
+        }
+}
+
+TEST(groups_of_equal_holes_have_one_note_each)
+{
+    static const char *const texts[] = {"6\xc3\x97 \xc3\xb8"
+                                        "0.6 through",
+                                        "\xc3\xb8"
+                                        "1.4 through",
+                                        "\xc3\xb8"
+                                        "1 depth 0.25"};
+    static const char *const views[] = {"\"isometric\"", "\"top\"",
+                                        "{\"azimuthDegrees\": 30, \"elevationDegrees\": 40}"};
+    static const int windows[][2] = {{640, 480}, {320, 240}, {480, 480}, {1200, 500}};
+    for (size_t v = 0; v < sizeof views / sizeof *views; v++)
+        for (size_t w = 0; w < sizeof windows / sizeof *windows; w++) {
+            struct reading *reading = read_plate(views[v], windows[w][0], windows[w][1]);
+            const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+            const struct zr_marks *marks = &frame->annotations->marks;
+            assert_apart(marks, windows[w], 0, (int)v);
+            assert_no_leader_crosses(marks, views[v]);
+            for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+                if (!mark_of(marks, texts[i])) fail_msg("view %s, %d pixels: no %s", views[v], windows[w][0], texts[i]);
+            reading_free(reading);
+        }
+}
+
+TEST(holes_that_are_not_seen_have_no_note)
+{
+    struct reading *reading = read_plate("{\"azimuthDegrees\": 200, \"elevationDegrees\": -40}", 640, 480);
+    const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+    bool is_listed = false;
+    assert_null(mark_of(&frame->annotations->marks, "\xc3\xb8"
+                                                    "1 depth 0.25")); /* it opens at the top */
+    assert_non_null(mark_of(&frame->annotations->marks, "\xc3\xb8"
+                                                        "1.4 through"));
+    for (uint32_t i = 0; i < frame->annotations->left_out_count; i++)
+        is_listed = is_listed || strcmp(frame->annotations->left_out[i].why, "not seen") == 0;
+    assert_true(is_listed);
+    reading_free(reading);
+}
+
+TEST(notes_are_the_same_by_any_number_of_threads)
+{
+    struct zr_team *team = zr_team_create(3);
+    struct reading *a = read_plate("\"isometric\"", 320, 240), *b = read_plate("\"isometric\"", 320, 240);
+    const struct zr_frame *one = scene_render(&a->arena, NULL, a->scene);
+    const struct zr_frame *three = scene_render(&b->arena, team, b->scene);
+    assert_memory_equal(one->color, three->color, 4 * 320 * 240);
+    reading_free(a);
+    reading_free(b);
+    zr_team_destroy(team);
+}
+
+TEST(leaders_of_labels_cross_no_dimension)
+{
+    static const char *const views[] = {"\"isometric\"", "\"front\"", "\"right\"",
+                                        "{\"azimuthDegrees\": -40, \"elevationDegrees\": 20}",
+                                        "{\"azimuthDegrees\": 70, \"elevationDegrees\": 50}"};
+    for (size_t v = 0; v < sizeof views / sizeof *views; v++)
+        for (size_t s = 0; s < sizeof sides / sizeof *sides; s++) {
+            static char text[4096];
+            snprintf(text, sizeof text,
+                     "{\"window\": {\"width\": %d, \"height\": %d}, \"view\": %s, \"annotate\": [\"box\", \"title\", "
+                     "\"triad\", \"labels\"], \"dimensions\": [{\"from\": [-20, -10, 15], \"to\": [16, -6, 14]}], "
+                     "\"meshes\": [{\"name\": \"base\", \"shape\": {\"type\": \"box\", \"size\": [40, 5, 30]}}, "
+                     "{\"name\": \"post\", \"shape\": {\"type\": \"cylinder\", \"radius\": 6, \"height\": 30}}, "
+                     "{\"name\": \"foot\", \"shape\": {\"type\": \"box\", \"size\": [6, 4, 6]}}], \"nodes\": "
+                     "[{\"mesh\": \"base\"}, {\"mesh\": \"post\", \"translation\": [8, 8, 0]}, {\"mesh\": \"foot\", "
+                     "\"translation\": [-16, -4, 11]}, {\"mesh\": \"foot\", \"translation\": [16, -4, 11]}]}",
+                     sides[s][0], sides[s][1], views[v]);
+            struct reading *reading = read_scene(text);
+            const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+            assert_no_leader_crosses(&frame->annotations->marks, views[v]);
+            if (s == 0) assert_non_null(mark_of(&frame->annotations->marks, "post"));
+            reading_free(reading);
+        }
 }
 
 TEST(lengths_have_four_digits_that_count)

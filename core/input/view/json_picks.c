@@ -1,0 +1,36 @@
+/* Reads picks: a list of pixels. */
+#include "input/scene/json_scene.h"
+
+/* Reads [x, y]. */
+static bool read_pixel(struct zr_json *json, const struct zr_json_path *path, uint32_t out[2])
+{
+    size_t number = 0;
+    bool is_good = true;
+    if (!zr_json_list(json, path)) return false;
+    for (zr_json_enter(json, '['); zr_json_any_item(json); number++)
+        if (number < 2)
+            is_good = zr_json_whole(json, ZR_JSON_ITEM(path, number), &out[number]) && is_good;
+        else
+            zr_json_skip(json);
+    return (number == 2 || zr_json_fault(json, path, "%zu numbers; a pixel has 2, x and y", number)) && is_good;
+}
+
+bool zr_read_picks(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    struct zr_parsed_scene *root = out;
+    struct zr_pick_pixels *picks = &root->scene->views[0].picks;
+    size_t count = 0, number = 0;
+    bool is_good = true;
+    picks->count = 0;
+    if (!zr_json_count(json, path, &count)) return false;
+    if (count > ZR_PICKS_MAX) {
+        zr_json_skip(json);
+        return zr_json_fault(json, path, "%zu picks; up to %d are allowed", count, ZR_PICKS_MAX);
+    }
+    uint32_t(*at)[2] = zr_arena_zero(json->arena, count ? count : 1, sizeof *at);
+    for (zr_json_enter(json, '['); at && zr_json_item(json); number++)
+        is_good = read_pixel(json, ZR_JSON_ITEM(path, number), at[number]) && is_good;
+    picks->at = (const uint32_t(*)[2])at;
+    picks->count = at ? (uint32_t)count : 0;
+    return is_good && at;
+}

@@ -1,0 +1,14 @@
+/* picks.h - scene: pixels of a view whose surfaces the output info describes (render/picks.h). */
+#ifndef ZR_SCENE_PICKS_H
+#define ZR_SCENE_PICKS_H
+
+#include <stdint.h>
+
+enum { ZR_PICKS_MAX = 64 };
+
+struct zr_pick_pixels {
+    uint32_t count;
+    const uint32_t (*at)[2]; /* column from the left, row from the top */
+};
+
+#endif
