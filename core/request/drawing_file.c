@@ -21,7 +21,7 @@ struct wanted {
     double dpi;
 };
 
-/* Each reads a value. False: it is not one of those that `needs` names. */
+/* Each reads a value. False: it is not one of `values`. */
 static bool read_page(const char *value, struct wanted *out)
 {
     out->options.page = strcmp(value, "a4") == 0 ? ZR_PAGE_A4 : ZR_PAGE_A3;
@@ -87,9 +87,9 @@ static bool read_dpi(const char *value, struct wanted *out)
     return read_number(value, &out->dpi) && out->dpi >= ZR_PLOT_DPI_LEAST && out->dpi <= ZR_PLOT_DPI_MOST;
 }
 
-#define PARAMETER(name, placeholder, help) {#name, placeholder, read_##name},
+#define PARAMETER(name, placeholder, values, help) {#name, values, read_##name},
 static const struct {
-    const char *name, *needs;
+    const char *name, *values;
     bool (*read)(const char *value, struct wanted *out);
 } parameters[] = {ZR_DRAWING_ROWS(PARAMETER)};
 enum { PARAMETERS = sizeof parameters / sizeof *parameters };
@@ -140,7 +140,7 @@ static enum zr_status read_parameter(struct zr_arena *arena, const char *text, s
     mend(decoded);
     if (!is_decoded || !parameters[number].read(decoded, out))
         return zr_error_add(error, ZR_BAD_REQUEST, NULL, "parameter %s: %.100s is not %s", parameters[number].name,
-                            decoded, parameters[number].needs);
+                            decoded, parameters[number].values);
     return ZR_OK;
 }
 

@@ -222,6 +222,8 @@ for line in "corner.obj --page a5" "corner.obj --section w" "corner.obj -o no.pd
     check "drawing $line" 2 "$zraster" drawing $line
 done
 verdict "and nothing is written" [ ! -e no.svg ] # nor a PDF
+check "a value out of its range is refused" 2 "$zraster" drawing corner.obj -o no.svg --dpi 5000
+verdict "with the range" grep -q -e '--dpi: 5000 is not 30 to 600' "$complained"
 
 # batch
 mkdir -p many/deep

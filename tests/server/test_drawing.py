@@ -48,7 +48,9 @@ class Drawing(unittest.TestCase):
     def test_faults(self):
         """wrong parameters are 400, scenes without a drawing 422"""
         for query, status, text in (
-            ("?page=a5", 400, "a4|a3"),
+            ("?page=a5", 400, "a5 is not a4 or a3"),
+            ("?dpi=5000", 400, "dpi: 5000 is not 30 to 600"),
+            ("?section=x:2", 400, "share between 0 and 1"),
             ("?nix=1", 400, "nix"),
             ("?scale=1", 400, "N:M"),
             ("?scale=1000:1", 422, "50:1"),
