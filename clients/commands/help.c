@@ -61,7 +61,7 @@ static void print_options(const struct command *command, size_t first, size_t en
 /* Prints the parameters of `zraster drawing`: those of drawings with their own help. */
 static void print_drawing_parameters(const struct command *command)
 {
-#define DRAWING(name, placeholder, values, help) {#name, placeholder, help},
+#define DRAWING(name, placeholder, values, help, otherwise) {#name, placeholder, help " (default: " otherwise ")"},
     static const struct {
         const char *name, *value, *help;
     } rows[] = {ZR_DRAWING_ROWS(DRAWING)};

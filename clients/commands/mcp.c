@@ -17,8 +17,8 @@
 #include "mcp/faults.h"
 #include "mcp/memory.h"
 #include "mcp/message.h"
-#include "mcp_compare.h"
 #include "mcp_files.h"
+#include "mcp_told.h"
 
 /* LINE_MAX_BYTES: of a message. WAITING_MAX: messages that were read and not answered. IDS_MAX: cancelled ids that are
  * remembered. SHORT: a notification that cancels has fewer bytes. */
@@ -115,7 +115,7 @@ static enum mcp_draw_status draw_input(struct serving *serving, const struct inp
         drawn->owner = picture;
         return MCP_DRAWN;
     }
-    mcp_compare_faults(error, &drawn->faults);
+    mcp_told_faults(error, &drawn->faults);
     zraster_error_free(error);
     zraster_picture_free(picture);
     return status == ZRASTER_CANCELLED ? MCP_CANCELLED : MCP_REFUSED;
@@ -141,16 +141,23 @@ static void release(void *context, struct mcp_drawn *drawn)
     zraster_picture_free(drawn->owner);
 }
 
-static enum mcp_draw_status compare(void *context, const struct mcp_compare *compare, struct mcp_compared *compared)
+static enum mcp_draw_status compare(void *context, const struct mcp_compare *compare, struct mcp_told *told)
 {
     const struct serving *serving = context;
-    return mcp_compare_here(&serving->engine, serving->root, compare, compared);
+    return mcp_told_compare(&serving->engine, serving->root, compare, told);
 }
 
-static void release_compared(void *context, struct mcp_compared *compared)
+static enum mcp_draw_status drawing(void *context, const struct mcp_draw *draw, const char *query,
+                                    struct mcp_told *told)
+{
+    const struct serving *serving = context;
+    return mcp_told_drawing(&serving->engine, serving->root, draw, query, told);
+}
+
+static void release_told(void *context, struct mcp_told *told)
 {
     (void)context;
-    mcp_compare_release(compared);
+    mcp_told_release(told);
 }
 
 /* ---- answering ---- */
@@ -166,7 +173,8 @@ static void answer(struct serving *serving, const struct bytes *line)
                                   .draw = draw,
                                   .release = release,
                                   .compare = compare,
-                                  .release_compared = release_compared};
+                                  .drawing = drawing,
+                                  .release_told = release_told};
     struct mcp_reply reply;
     if (mcp_handle(&host, (struct mcp_span){line->data, line->data + line->size}, NULL, &reply) == MCP_DRAWN &&
         reply.text.size > 0 && !mcp_host_is_cancelled(&host)) {

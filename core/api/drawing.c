@@ -63,6 +63,11 @@ struct zraster_bytes zraster_drawing_file(const zraster_drawing *drawing)
         .data = drawing->file.bytes, .size = drawing->file.size, .type = drawing->file.content_type};
 }
 
+const char *zraster_drawing_json(const zraster_drawing *drawing)
+{
+    return drawing->file.json;
+}
+
 const char *zraster_drawing_warning(const zraster_drawing *drawing, size_t i)
 {
     return i < drawing->file.warnings.count ? drawing->file.warnings.texts[i] : NULL;

@@ -261,6 +261,7 @@ ZRASTER_API zraster_status zraster_drawing_make(const zraster_scene *scene, cons
                                                 zraster_drawing **drawing, zraster_error **error);
 ZRASTER_API struct zraster_bytes zraster_drawing_file(const zraster_drawing *drawing); /* the drawing's */
 ZRASTER_API const char *zraster_drawing_warning(const zraster_drawing *drawing, size_t i); /* NULL behind the last */
+ZRASTER_API const char *zraster_drawing_json(const zraster_drawing *drawing); /* page, scale, sizes, holes; likewise */
 ZRASTER_API void zraster_drawing_free(zraster_drawing *drawing);
 
 /* ---- files that a file refers to ----

@@ -297,12 +297,13 @@ static bool place_note(struct placing *p, const struct zr_hole_note *note)
     return false;
 }
 
-void zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const struct zr_placed_views *placed,
-                       const struct zr_part_holes *holes, const struct zr_hole_notes *notes,
-                       const struct zr_page_box *boxes, uint32_t box_count, struct zr_warning_list *warnings)
+uint32_t zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const struct zr_placed_views *placed,
+                           const struct zr_part_holes *holes, const struct zr_hole_notes *notes,
+                           const struct zr_page_box *boxes, uint32_t box_count, struct zr_warning_list *warnings)
 {
     struct placing p = {.cancel = run->cancel, .plot = plot, .placed = placed, .holes = holes};
     const double grown = 2.0;
+    uint32_t noted = 0;
     for (int view = 0; view < ZR_PAGE_VIEWS; view++) {
         const struct zr_page_box box = placed->layout.views[view];
         p.boxes[p.box_count++] = (struct zr_page_box){box.x0 - grown, box.y0 - grown, box.x1 + grown, box.y1 + grown};
@@ -312,7 +313,10 @@ void zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const str
         p.boxes[p.box_count++] = boxes[i];
     zr_plot_begin(plot, "notes");
     for (uint32_t i = 0; i < notes->count; i++)
-        if (!place_note(&p, &notes->at[i]))
+        if (place_note(&p, &notes->at[i]))
+            noted += notes->at[i].count;
+        else
             zr_warning_list_add(run->arena, warnings, "no room for the note of %u holes, %s", notes->at[i].count,
                                 notes->at[i].text);
+    return noted;
 }

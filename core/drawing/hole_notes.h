@@ -36,10 +36,10 @@ struct zr_hole_notes {
 void zr_hole_notes_list(const struct zr_placed_views *placed, const struct zr_part_holes *holes,
                         struct zr_hole_notes *out);
 
-/* Adds the notes in a group "notes". `boxes`: to be kept free, beside the views. Warnings are in run->arena. If
+/* Adds the notes in a group "notes", and returns how many holes they are of. `boxes`: to be kept free, beside the views. Warnings are in run->arena. If
  * run->cancel is raised, notes are missing. */
-void zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const struct zr_placed_views *placed,
-                       const struct zr_part_holes *holes, const struct zr_hole_notes *notes,
-                       const struct zr_page_box *boxes, uint32_t box_count, struct zr_warning_list *warnings);
+uint32_t zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const struct zr_placed_views *placed,
+                           const struct zr_part_holes *holes, const struct zr_hole_notes *notes,
+                           const struct zr_page_box *boxes, uint32_t box_count, struct zr_warning_list *warnings);
 
 #endif

@@ -1,6 +1,7 @@
 #include "drawing/technical_drawing.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/cancel.h"
 #include "drawing/center_lines.h"
@@ -209,8 +210,8 @@ static enum zr_status add_view(struct making *m, enum zr_page_view view)
     return status;
 }
 
-/* Adds section, dimensions and notes. */
-static void add_marks(struct making *m)
+/* Adds section, dimensions and notes. Returns how many holes have a note. */
+static uint32_t add_marks(struct making *m)
 {
     enum { DIMENSIONS = 3 };
     struct zr_page_box boxes[DIMENSIONS + ZR_CUT_BOXES];
@@ -220,7 +221,7 @@ static void add_marks(struct making *m)
         zr_cut_view_mark(m->plot, &m->placed, boxes + count);
         count += ZR_CUT_BOXES;
     }
-    zr_hole_notes_add(m->run, m->plot, &m->placed, &m->holes, m->notes, boxes, count, m->warnings);
+    return zr_hole_notes_add(m->run, m->plot, &m->placed, &m->holes, m->notes, boxes, count, m->warnings);
 }
 
 /* ---- the title block ---- */
@@ -244,7 +245,7 @@ static void add_title(struct making *m)
 
 enum zr_status zr_technical_drawing_make(const struct zr_run *run, const struct zr_scene *scene,
                                          const struct zr_technical_options *options, struct zr_plot *out,
-                                         struct zr_warning_list *warnings)
+                                         struct zr_technical_facts *facts, struct zr_warning_list *warnings)
 {
     const double millimetres = zr_unit_millimetres(scene->file.unit);
     struct zr_scene edited;
@@ -266,7 +267,8 @@ enum zr_status zr_technical_drawing_make(const struct zr_run *run, const struct 
     add_title(&m);
     for (int view = 0; view < ZR_PAGE_VIEWS; view++)
         STAGE(add_view(&m, (enum zr_page_view)view));
-    add_marks(&m);
+    *facts = (struct zr_technical_facts){.holes = m.holes.count, .noted = add_marks(&m), .unit = scene->file.unit};
+    memcpy(facts->sizes, m.placed.sizes, sizeof facts->sizes);
     if (status == ZR_OK && zr_is_cancelled(run->cancel)) status = ZR_CANCELLED;
     if (status == ZR_OK && (out->has_failed || !zr_arena_ok(run->scratch))) status = ZR_NO_MEMORY;
     return status;

@@ -33,11 +33,17 @@ struct zr_technical_options {
     double cut_at;              /* share of the bounds along it, 0..1 */
 };
 
+struct zr_technical_facts {
+    double sizes[3];       /* width, height, depth of the model, millimetres */
+    uint32_t holes, noted; /* round holes, and those in notes */
+    const char *unit;      /* of the file, the scene's; NULL: none */
+};
+
 /* Makes the drawing in the arena. Fails with ZR_BAD_SCENE, explained by *run->error, for scenes without faces, with
  * several views, with sections or combined solids of their own, and if nothing fits; with ZR_NO_MEMORY and
  * ZR_CANCELLED. Warnings are in the arena, too. */
 enum zr_status zr_technical_drawing_make(const struct zr_run *run, const struct zr_scene *scene,
                                          const struct zr_technical_options *options, struct zr_plot *out,
-                                         struct zr_warning_list *warnings);
+                                         struct zr_technical_facts *facts, struct zr_warning_list *warnings);
 
 #endif

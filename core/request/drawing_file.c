@@ -1,5 +1,8 @@
 #include "request/drawing_file.h"
 
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,8 +13,10 @@
 #include "drawing/technical_drawing.h"
 #include "drawing_rows.h"
 #include "input/query/query_text.h"
+#include "output/json/json_print.h"
 #include "output/plot_png.h"
 #include "output/plot_svg.h"
+#include "overlay/annotate/length_text.h"
 
 #define DPI_USUAL 150.0
 
@@ -87,7 +92,7 @@ static bool read_dpi(const char *value, struct wanted *out)
     return read_number(value, &out->dpi) && out->dpi >= ZR_PLOT_DPI_LEAST && out->dpi <= ZR_PLOT_DPI_MOST;
 }
 
-#define PARAMETER(name, placeholder, values, help) {#name, values, read_##name},
+#define PARAMETER(name, placeholder, values, ...) {#name, values, read_##name},
 static const struct {
     const char *name, *values;
     bool (*read)(const char *value, struct wanted *out);
@@ -177,6 +182,56 @@ double zr_drawing_cost_ms(const struct zr_scene *scene, const char *query)
     return 40.0 + 0.006 * triangles + 6e-6 * inches * dpi * dpi;
 }
 
+/* Writes the facts in one line of words. */
+static void write_summary(const struct zr_technical_facts *facts, const struct wanted *wanted, const char *scale,
+                          char *out, size_t size)
+{
+    const double *sizes = facts->sizes, largest = fmax(sizes[0], fmax(sizes[1], sizes[2]));
+    char lengths[3][ZR_LENGTH_SIZE], holes[80] = "no round hole";
+    for (int k = 0; k < 3; k++)
+        zr_length_write(sizes[k], largest, "", lengths[k]);
+    if (facts->holes > 0)
+        snprintf(holes, sizeof holes, "%" PRIu32 " of %" PRIu32 " round holes in notes", facts->noted, facts->holes);
+    snprintf(out, size, "scale %s on %s, %s angle; width %s, depth %s, height %s mm (%s%s); %s", scale,
+             zr_page_names[wanted->options.page], wanted->options.is_first_angle ? "first" : "third", lengths[0],
+             lengths[2], lengths[1], facts->unit ? "unit of the file: " : "the file has no unit: 1 is 1 mm",
+             facts->unit ? facts->unit : "", holes);
+}
+
+/* Prints the facts, and all warnings, as one object. */
+static enum zr_status print_facts(const struct zr_run *run, const struct zr_technical_facts *facts,
+                                  const struct wanted *wanted, const char *scale, struct zr_drawing_file *out)
+{
+    static const char *const names[] = {"width", "height", "depth"};
+    struct zr_buffer buffer = {.arena = run->arena};
+    struct zr_print print = {.out = &buffer};
+    char summary[8 * ZR_LENGTH_SIZE];
+    write_summary(facts, wanted, scale, summary, sizeof summary);
+    zr_print_begin(&print, NULL, '{');
+    zr_print_string(&print, "summary", summary);
+    zr_print_string(&print, "page", wanted->options.page == ZR_PAGE_A4 ? "a4" : "a3");
+    zr_print_string(&print, "scale", scale);
+    zr_print_string(&print, "projection", wanted->options.is_first_angle ? "first" : "third");
+    if (facts->unit)
+        zr_print_string(&print, "units", facts->unit);
+    else
+        zr_print_null(&print, "units");
+    zr_print_begin(&print, "millimetres", '{');
+    for (int k = 0; k < 3; k++)
+        zr_print_double(&print, names[k], facts->sizes[k]);
+    zr_print_end(&print, '}');
+    zr_print_count(&print, "holes", facts->holes);
+    zr_print_count(&print, "holesNoted", facts->noted);
+    zr_print_begin(&print, "warnings", '[');
+    for (size_t i = 0; i < out->warnings.count; i++)
+        zr_print_string(&print, NULL, out->warnings.texts[i]);
+    zr_print_end(&print, ']');
+    zr_print_end(&print, '}');
+    zr_buffer_add(&buffer, "", 1);
+    out->json = (const char *)buffer.bytes;
+    return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
+}
+
 static enum zr_status make(const struct zr_run *run, const struct zr_scene *scene, const struct wanted *wanted,
                            struct zr_drawing_file *out)
 {
@@ -184,10 +239,12 @@ static enum zr_status make(const struct zr_run *run, const struct zr_scene *scen
     struct zr_buffer buffer = {.arena = run->arena};
     struct zr_warning_list warnings = {0}; /* in scratch */
     struct zr_plot plot;
+    struct zr_technical_facts facts;
     for (uint32_t i = 0; i < scene->warning_count; i++)
         zr_warning_list_add(run->arena, &out->warnings, "%s", scene->warnings[i]);
-    enum zr_status status = zr_technical_drawing_make(&inner, scene, &wanted->options, &plot, &warnings);
+    enum zr_status status = zr_technical_drawing_make(&inner, scene, &wanted->options, &plot, &facts, &warnings);
     zr_warning_list_append(run->arena, &out->warnings, &warnings);
+    if (status == ZR_OK) status = print_facts(run, &facts, wanted, plot.scale, out);
     if (status == ZR_OK)
         status = wanted->is_png ? zr_plot_png_write(&inner, &plot, wanted->dpi, &buffer)
                                 : zr_plot_svg_write(&plot, run->cancel, &buffer);

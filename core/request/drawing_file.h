@@ -11,6 +11,8 @@ struct zr_drawing_file {
     const void *bytes;
     size_t size;
     const char *content_type;
+    const char
+        *json; /* one object: summary, page, scale, projection, units, millimetres, holes, holesNoted, warnings */
     struct zr_warning_list warnings; /* those of the scene, then those of the drawing */
 };
 

@@ -3,6 +3,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "drawing_rows.h"
 #include "input/formats/formats.h"
 #include "input/formats/sniff.h"
 #include "input/text/names.h"
@@ -109,6 +110,21 @@ const struct mcp_key mcp_part_keys[] = {
      NULL},
     {NULL, 0, NULL, NULL}};
 
+/* Types of the parameters of drawings, and usual values where agents have their own. */
+#define TYPED(type, help, otherwise)   "{\"type\":" type ",\"description\":\"" help ". Default: " otherwise ".\"}"
+#define OF_page(help, otherwise)       TYPED("\"string\",\"enum\":[\"a4\",\"a3\"]", help, otherwise)
+#define OF_scale(help, otherwise)      TYPED("\"string\"", help, otherwise)
+#define OF_projection(help, otherwise) TYPED("\"string\",\"enum\":[\"third\",\"first\"]", help, otherwise)
+#define OF_section(help, otherwise)    TYPED("\"string\"", help, otherwise)
+#define OF_hidden(help, otherwise)     TYPED("\"boolean\"", help, otherwise)
+#define OF_title(help, otherwise)      TYPED("\"string\"", help, otherwise)
+#define OF_date(help, otherwise)       TYPED("\"string\"", help, otherwise)
+#define OF_format(help, otherwise)     TYPED("\"string\",\"enum\":[\"png\",\"svg\"]", help, "png")
+#define OF_dpi(help, otherwise)                                                                                        \
+    TYPED("\"number\",\"minimum\":30,\"maximum\":600", help, "94 on a3, 134 on a4: at most 1568 pixels per side")
+#define DRAWING_KEY(name, placeholder, values, help, otherwise)                                                        \
+    {#name, 1 << MCP_DRAWING, OF_##name(help, otherwise), NULL},
+
 const struct mcp_key mcp_arguments[] = {
     {"model", MCP_MODEL_TOOLS,
      "{\"type\":\"object\",\"description\":\"The model, a file ($},\"additionalProperties\":false}", put_model},
@@ -152,7 +168,8 @@ const struct mcp_key mcp_arguments[] = {
     {"annotate", MCP_DRAWING_TOOLS,
      "{\"anyOf\":[{\"type\":\"boolean\"},{\"type\":\"array\",\"items\":{\"enum\":[$]}}],\"description\":\"Marks over "
      "each picture: box (dimensions of the bounds in the file's unit), title, triad (axes of the file), scale (a bar), "
-     "labels (names of parts), holes (diameters and counts). true or false: captions of a sheet, which are the default.\"}",
+     "labels (names of parts), holes (diameters and counts). true or false: captions of a sheet, which are the "
+     "default.\"}",
      put_marks},
     {"width", MCP_DRAWING_TOOLS,
      SIDE(",\"description\":\"Pixels of each picture; 1024 for a sheet, 800, 640 or 512 by the number of views.\""),
@@ -186,7 +203,7 @@ const struct mcp_key mcp_arguments[] = {
      NULL},
     {"view", 1 << MCP_COMPARE,
      "{\"type\":\"string\",\"enum\":[$],\"description\":\"Side from which the picture is drawn.\"}", put_presets},
-    {NULL, 0, NULL, NULL}};
+    ZR_DRAWING_ROWS(DRAWING_KEY){NULL, 0, NULL, NULL}};
 
 void mcp_keys_put(struct mcp_text *text, const struct mcp_key *keys, unsigned of, const struct mcp_host *host)
 {

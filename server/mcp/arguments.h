@@ -13,7 +13,8 @@
     ROW(RENDER, true)                                                                                                  \
     ROW(FACTS, false)                                                                                                  \
     ROW(PICK, true)                                                                                                    \
-    ROW(COMPARE, false)
+    ROW(COMPARE, false)                                                                                                \
+    ROW(DRAWING, false)
 
 #define MCP_TOOL(ID, draws) MCP_##ID,
 enum mcp_tool { MCP_TOOL_ROWS(MCP_TOOL) MCP_TOOLS };

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "compare.h"
+#include "drawing.h"
 #include "faults.h"
 #include "memory.h"
 #include "shots.h"
@@ -275,7 +276,9 @@ enum mcp_draw_status mcp_call(const struct mcp_host *host, const struct mcp_mess
         job->faults.count = 0;
         status = mcp_compare_call(host, message, &job->faults, result);
     } else if (mcp_job_read(job, host, message, tool) && mcp_given_check(job))
-        status = tool == MCP_PICK ? pick(job, result) : show(job, result);
+        status = tool == MCP_PICK      ? pick(job, result)
+                 : tool == MCP_DRAWING ? mcp_drawing_call(job, result)
+                                       : show(job, result);
     else if (mcp_host_is_cancelled(host))
         status = MCP_CANCELLED;
     else if (job->faults.count == 0)

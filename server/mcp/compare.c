@@ -7,9 +7,8 @@
 #include "faults.h"
 #include "memory.h"
 #include "model.h"
+#include "told.h"
 #include "tree.h"
-
-enum { LISTED_MAX = 8 };
 
 /* ---- arguments ---- */
 
@@ -69,53 +68,6 @@ static void make_scene(const struct mcp_model *model, struct mcp_text *scene, st
 
 /* ---- the result ---- */
 
-static void describe_regions(const cJSON *content, struct mcp_text *words)
-{
-    const cJSON *region;
-    int listed = 0;
-    cJSON_ArrayForEach(region, mcp_get(content, "regions"))
-    {
-        const cJSON *in = mcp_get(region, "in"), *center = mcp_get(region, "center");
-        if (!cJSON_IsString(in) || listed++ == LISTED_MAX) break;
-        mcp_text_print(words, "\n- only in %s: volume %.4g around (%.4g, %.4g, %.4g)", in->valuestring,
-                       mcp_number_of(region, "volume"), mcp_number_at(center, 0), mcp_number_at(center, 1),
-                       mcp_number_at(center, 2));
-    }
-}
-
-static void describe(const cJSON *content, struct mcp_text *words)
-{
-    const cJSON *summary = mcp_get(content, "summary"), *warning;
-    if (cJSON_IsString(summary)) mcp_text_put(words, summary->valuestring);
-    describe_regions(content, words);
-    cJSON_ArrayForEach(warning, mcp_get(content, "warnings"))
-    {
-        mcp_text_put(words, "\nwarning: ");
-        if (cJSON_IsString(warning)) mcp_text_line(words, warning->valuestring, MCP_DETAIL_SIZE);
-    }
-}
-
-static void put_result(const struct mcp_compared *compared, struct mcp_text *result)
-{
-    struct mcp_text words = {0};
-    cJSON *content = cJSON_Parse(compared->json);
-    describe(content, &words);
-    mcp_text_put(result, "\"content\":[{\"type\":\"text\",\"text\":");
-    mcp_text_json(result, words.data ? words.data : "");
-    mcp_text_put(result, "}");
-    if (compared->picture) {
-        mcp_text_put(result, ",{\"type\":\"image\",\"data\":\"");
-        mcp_text_base64(result, compared->picture, compared->picture_size);
-        mcp_text_put(result, "\",\"mimeType\":\"image/png\"}");
-    }
-    mcp_text_put(result, "],\"structuredContent\":");
-    mcp_text_add(result, compared->json, strcspn(compared->json, "\n"));
-    mcp_text_put(result, ",\"isError\":false");
-    result->failed = result->failed || words.failed || !content;
-    mcp_text_free(&words);
-    cJSON_Delete(content);
-}
-
 /* Parameters of the query are arguments: "align" becomes "/align". */
 static void take_faults(const struct mcp_faults *from, struct mcp_faults *faults)
 {
@@ -131,18 +83,18 @@ static void take_faults(const struct mcp_faults *from, struct mcp_faults *faults
 static enum mcp_draw_status run(const struct mcp_host *host, const struct mcp_compare *compare,
                                 struct mcp_faults *faults, struct mcp_text *result)
 {
-    struct mcp_compared *compared = host->compare ? host->allocate(host->context, sizeof *compared) : NULL;
+    struct mcp_told *told = host->compare ? host->allocate(host->context, sizeof *told) : NULL;
     if (!host->compare) mcp_fault(faults, "", "this server does not compare models");
-    if (!compared) return MCP_REFUSED;
-    *compared = (struct mcp_compared){.json = NULL};
-    const enum mcp_draw_status status = host->compare(host->context, compare, compared);
-    if (status == MCP_REFUSED) take_faults(&compared->faults, faults);
+    if (!told) return MCP_REFUSED;
+    *told = (struct mcp_told){.json = NULL};
+    const enum mcp_draw_status status = host->compare(host->context, compare, told);
+    if (status == MCP_REFUSED) take_faults(&told->faults, faults);
     if (status != MCP_DRAWN) return status;
     if (mcp_memory_has_failed())
         result->failed = true;
     else
-        put_result(compared, result);
-    host->release_compared(host->context, compared);
+        mcp_told_put(told, NULL, false, result);
+    host->release_told(host->context, told);
     return MCP_DRAWN;
 }
 

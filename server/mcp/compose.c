@@ -126,6 +126,15 @@ static void put_views(const struct mcp_job *job, const struct mcp_picture *pictu
         put(head, "view", "{\"preset\":\"isometric\",\"orthographic\":{}}");
 }
 
+static void put_up(const struct mcp_job *job, struct head *head)
+{
+    const cJSON *up = mcp_job_argument(job, "up");
+    if (up)
+        put_item(head, "up", up);
+    else if (job->is_bare && !job->own[MCP_OWN_UP].at)
+        put(head, "up", job->model.z_is_up ? "\"z\"" : "\"y\"");
+}
+
 /* Puts what concerns pictures alone. */
 static void put_picture(const struct mcp_job *job, const struct mcp_picture *picture, struct head *head)
 {
@@ -142,11 +151,7 @@ static void put_picture(const struct mcp_job *job, const struct mcp_picture *pic
     put_item(head, "materials", mcp_job_argument(job, "materials"));
     item = mcp_job_argument(job, "annotate");
     if (item && cJSON_IsArray(item)) put_item(head, "annotate", item);
-    item = mcp_job_argument(job, "up");
-    if (item)
-        put_item(head, "up", item);
-    else if (job->is_bare && !job->own[MCP_OWN_UP].at)
-        put(head, "up", job->model.z_is_up ? "\"z\"" : "\"y\"");
+    put_up(job, head);
     put_item(head, "sections", mcp_job_argument(job, "sections"));
     cJSON_ArrayForEach(item, mcp_job_argument(job, "parts")) put_item(head, item->string, item);
 }
@@ -196,6 +201,8 @@ bool mcp_compose(const struct mcp_job *job, const struct mcp_picture *picture, s
     if (job->is_bare) put_meshes(job, &head);
     if (picture->width > 0) {
         put_picture(job, picture, &head);
+    } else if (job->tool == MCP_DRAWING) {
+        put_up(job, &head);
     } else {
         put(&head, "render", "false");
         put(&head, "features", "true");

@@ -7,7 +7,7 @@
 /* A picture to draw of a scene. */
 struct mcp_picture {
     const char *outputs;    /* JSON */
-    unsigned width, height; /* 0: no picture */
+    unsigned width, height; /* 0: no picture of the renderer */
     const char *view;       /* JSON of one view that replaces all; NULL: those of the job */
     int only;               /* number of the job's only view to draw; -1: all */
 };

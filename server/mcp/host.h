@@ -52,9 +52,10 @@ struct mcp_compare {
     const char *query; /* of comparing (request/compare.h) */
 };
 
-struct mcp_compared {
-    const char *json;    /* until `release_compared` */
-    const void *picture; /* NULL: none */
+/* Numbers in JSON, whose "summary" is one line of words, and a picture. */
+struct mcp_told {
+    const char *json;    /* until `release_told`, like the picture */
+    const void *picture; /* a PNG, or a drawing as SVG; NULL: none */
     size_t picture_size;
     struct mcp_faults faults; /* pointers into a model have the name of its argument: "/a/path" */
     void *owner;              /* the host's */
@@ -70,8 +71,11 @@ struct mcp_host {
     enum mcp_draw_status (*draw)(void *context, const struct mcp_draw *draw, struct mcp_drawn *drawn);
     void (*release)(void *context, struct mcp_drawn *drawn); /* after MCP_DRAWN */
     /* Compares; NULL: the host does not. */
-    enum mcp_draw_status (*compare)(void *context, const struct mcp_compare *compare, struct mcp_compared *compared);
-    void (*release_compared)(void *context, struct mcp_compared *compared); /* after MCP_DRAWN */
+    enum mcp_draw_status (*compare)(void *context, const struct mcp_compare *compare, struct mcp_told *told);
+    /* Makes a technical drawing; `query` is that of core/drawing_rows.h. NULL: the host does not. */
+    enum mcp_draw_status (*drawing)(void *context, const struct mcp_draw *draw, const char *query,
+                                    struct mcp_told *told);
+    void (*release_told)(void *context, struct mcp_told *told); /* after MCP_DRAWN */
 };
 
 static inline bool mcp_host_is_cancelled(const struct mcp_host *host)

@@ -4,7 +4,8 @@ const char mcp_instructions[] =
     "zraster measures and draws 3D models. Measure before you look: facts gives box, volume, closedness, shells and "
     "parts without a picture. render draws pictures with numbers beside them; its default is one sheet of four views "
     "from all sides at one scale. pick lists the surfaces at a pixel of such a picture. compare tells where two models "
-    "differ: common volume, distances, regions. Coordinates are those of the "
+    "differ: common volume, distances, regions. drawing makes a technical drawing with sizes and notes of holes. "
+    "Coordinates are those of the "
     "file. The same call gives the same pixels on every machine.";
 
 /* ---- structured content ---- */
@@ -82,6 +83,14 @@ static const char compare_schema[] =
     ",\"regions\":{\"type\":\"array\",\"description\":\"Connected regions that only one model has, the largest "
     "first.\",\"items\":" OBJECT "},\"regionsOmitted\":{\"type\":\"integer\"},\"parts\":" OBJECT
     ",\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}}}";
+static const char drawing_schema[] =
+    "{\"type\":\"object\",\"required\":[\"summary\",\"page\",\"scale\",\"projection\",\"units\",\"millimetres\","
+    "\"holes\",\"holesNoted\",\"warnings\"],\"properties\":{\"summary\":" TEXT ",\"page\":" TEXT ",\"scale\":" TEXT
+    ",\"projection\":" TEXT ",\"units\":{\"type\":[\"string\",\"null\"],\"description\":\"Unit of the file; null: "
+    "none, and 1 is drawn as 1 mm.\"},\"millimetres\":{\"type\":\"object\",\"required\":[\"width\",\"height\","
+    "\"depth\"],\"properties\":{\"width\":" NUMBER ",\"height\":" NUMBER ",\"depth\":" NUMBER
+    "}},\"holes\":{\"type\":\"integer\",\"description\":\"Round holes.\"},\"holesNoted\":{\"type\":\"integer\"},"
+    "\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}}}";
 
 /* ---- the list ---- */
 
@@ -104,7 +113,11 @@ static const struct tool TOOLS[MCP_TOOLS] = {
     [MCP_COMPARE] = {"compare", "Compare two 3D models",
                      "Compares two models: volumes that both share (IoU), distances between the surfaces, regions and "
                      "parts that were added, removed or moved, and a picture of the differences.",
-                     ",\"required\":[\"a\",\"b\"]", compare_schema}};
+                     ",\"required\":[\"a\",\"b\"]", compare_schema},
+    [MCP_DRAWING] = {"drawing", "Make a technical drawing",
+                     "Makes a technical drawing on paper: front, top, right and isometric view at one standard scale, "
+                     "with hidden lines, overall sizes, notes of round holes, and a section if asked for.",
+                     "", drawing_schema}};
 
 struct mcp_words mcp_tool_names(void)
 {

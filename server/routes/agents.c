@@ -8,7 +8,7 @@
 #include <cjson/cJSON.h>
 
 #include "body.h"
-#include "comparing.h"
+#include "for_agents.h"
 #include "gate/origin.h"
 #include "mcp/faults.h"
 #include "problem.h"
@@ -130,15 +130,21 @@ static void release(void *context, struct mcp_drawn *drawn)
     free(drawn->owner);
 }
 
-static enum mcp_draw_status compare(void *context, const struct mcp_compare *compare, struct mcp_compared *compared)
+static enum mcp_draw_status compare(void *context, const struct mcp_compare *compare, struct mcp_told *told)
 {
-    return comparing_for_agent(context, compare, compared);
+    return comparing_for_agent(context, compare, told);
+}
+
+static enum mcp_draw_status drawing(void *context, const struct mcp_draw *draw, const char *query,
+                                    struct mcp_told *told)
+{
+    return drawing_for_agent(context, draw, query, told);
 }
 
 /* All is in the arena. */
-static void release_compared(void *context, struct mcp_compared *compared)
+static void release_told(void *context, struct mcp_told *told)
 {
-    (void)context, (void)compared;
+    (void)context, (void)told;
 }
 
 /* ---- working ---- */
@@ -154,7 +160,8 @@ static enum request_next answer_message(const struct work *work, const struct zr
                                   .draw = draw,
                                   .release = release,
                                   .compare = compare,
-                                  .release_compared = release_compared};
+                                  .drawing = drawing,
+                                  .release_told = release_told};
     const struct mcp_span message = {body->bytes, body->bytes + body->size};
     struct mcp_reply reply;
     switch (mcp_handle(&host, message, &work->request->mcp, &reply)) {

@@ -6,10 +6,9 @@
 
 #include "body.h"
 #include "clock.h"
-#include "comparing.h"
+#include "for_agents.h"
 #include "form.h"
 #include "jobs/slowness.h"
-#include "mcp/faults.h"
 #include "mcp/model.h"
 #include "problem.h"
 #include "rendering.h"
@@ -223,20 +222,7 @@ enum request_next comparing_work(const struct work *work)
 
 /* ---- agents ---- */
 
-static enum zr_status read_drawn(struct comparing *c, const struct mcp_draw *draw, int side)
-{
-    struct zr_asset asset = {.name = draw->file_name, .bytes = draw->file, .size = draw->file_size};
-    const struct zr_scene_file file = {.type = "application/json",
-                                       .bytes = draw->scene,
-                                       .size = draw->scene_size,
-                                       .assets = zr_arena_copy(c->run.arena, &asset, sizeof asset),
-                                       .asset_count = draw->file_name ? 1 : 0,
-                                       .stored = &c->stored};
-    return file.assets ? zr_scene_read_file(&c->run, &file, &c->work->service->limits, &c->scenes[side]) : ZR_NO_MEMORY;
-}
-
-static enum zr_status compare_drawn(struct comparing *c, const struct mcp_compare *compare,
-                                    struct mcp_compared *compared)
+static enum zr_status compare_drawn(struct comparing *c, const struct mcp_compare *compare, struct mcp_told *told)
 {
     struct zr_compare_answer numbers;
     struct zr_answer picture = {.bytes = NULL};
@@ -246,34 +232,31 @@ static enum zr_status compare_drawn(struct comparing *c, const struct mcp_compar
     enum zr_status status = zr_compare(&c->run, c->scenes[0], c->scenes[1], c->numbers, &numbers);
     c->picture = (char[]){"width=800&height=600"};
     if (status == ZR_OK && numbers.scene) status = draw(c, numbers.scene, &picture);
-    compared->json = numbers.json;
-    compared->picture = picture.bytes;
-    compared->picture_size = picture.size;
+    told->json = numbers.json;
+    told->picture = picture.bytes;
+    told->picture_size = picture.size;
     return status;
 }
 
-static enum mcp_draw_status refuse(const struct comparing *c, enum zr_status status, int side,
-                                   struct mcp_compared *compared)
+/* Pointers into a model get the name of its side; -1: of none. */
+static enum mcp_draw_status refuse(const struct comparing *c, enum zr_status status, int side, struct mcp_told *told)
 {
-    if (status == ZR_CANCELLED) return MCP_CANCELLED;
-    for (size_t i = 0; i < zr_error_held(c->run.error); i++)
-        mcp_fault(&compared->faults, c->run.error->items[i].pointer, "%s", c->run.error->items[i].detail);
-    if (compared->faults.count == 0) mcp_fault(&compared->faults, "", "out of memory");
-    for (size_t i = 0; side >= 0 && i < compared->faults.count; i++)
-        mcp_side_point(compared->faults.at[i].pointer, side);
-    return MCP_REFUSED;
+    const enum mcp_draw_status refused = for_agent_refuse(&c->run, status, &told->faults);
+    for (size_t i = 0; side >= 0 && i < told->faults.count; i++)
+        mcp_side_point(told->faults.at[i].pointer, side);
+    return refused;
 }
 
 enum mcp_draw_status comparing_for_agent(const struct work *work, const struct mcp_compare *compare,
-                                         struct mcp_compared *compared)
+                                         struct mcp_told *told)
 {
     struct zr_error error = {0};
     struct comparing c = begin(work, &error);
     if (work->request->small_only) return MCP_LATER;
     for (int i = 0; i < 2; i++) {
-        const enum zr_status status = read_drawn(&c, &compare->sides[i], i);
-        if (status != ZR_OK) return refuse(&c, status, i, compared);
+        const enum zr_status status = for_agent_read(work, &c.run, &compare->sides[i], &c.scenes[i]);
+        if (status != ZR_OK) return refuse(&c, status, i, told);
     }
-    const enum zr_status status = compare_drawn(&c, compare, compared);
-    return status == ZR_OK ? MCP_DRAWN : refuse(&c, status, -1, compared);
+    const enum zr_status status = compare_drawn(&c, compare, told);
+    return status == ZR_OK ? MCP_DRAWN : refuse(&c, status, -1, told);
 }

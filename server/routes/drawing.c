@@ -6,6 +6,7 @@
 
 #include "body.h"
 #include "clock.h"
+#include "for_agents.h"
 #include "jobs/slowness.h"
 #include "output/json/warnings.h"
 #include "problem.h"
@@ -55,20 +56,25 @@ static enum zr_status refuse_cost(const struct work *work, double ms, struct zr_
 }
 
 /* Makes the file of a scene. */
-static enum zr_status make(const struct work *work, const struct zr_run *run, const struct zr_scene *scene,
-                           struct zr_drawing_file *file)
+static enum zr_status make_file(const struct work *work, const struct zr_run *run, const struct zr_scene *scene,
+                                const char *numbers, struct zr_drawing_file *file)
 {
-    const char *query = work->request->query ? work->request->query : "";
-    char *own = part_of(query, true);
-    const char *numbers = own ? zr_arena_copy(run->arena, own, strlen(own) + 1) : NULL;
-    free(own);
-    if (!numbers) return ZR_NO_MEMORY;
     const double ms = zr_drawing_cost_ms(scene, numbers) * slowness_of(work->service->slowness, true);
     work->times->predicted_ms = ms;
     if (ms > (double)work->service->config->cost_max_ms) return refuse_cost(work, ms, run->error);
     const int64_t mark_us = clock_us();
     const enum zr_status status = zr_drawing_file_make(run, scene, numbers, file);
     work->times->render_ms = (double)(clock_us() - mark_us) / 1000.0;
+    return status;
+}
+
+static enum zr_status make(const struct work *work, const struct zr_run *run, const struct zr_scene *scene,
+                           struct zr_drawing_file *file)
+{
+    const char *query = work->request->query ? work->request->query : "";
+    char *own = part_of(query, true);
+    const enum zr_status status = own ? make_file(work, run, scene, own, file) : ZR_NO_MEMORY;
+    free(own);
     return status;
 }
 
@@ -92,17 +98,22 @@ static void answer_drawing(const struct work *work, const struct zr_run *run, co
     answer_header(work->answer, "Zraster-Warnings", "%s", warnings);
 }
 
+static struct zr_run begin(const struct work *work, struct zr_error *error)
+{
+    return (struct zr_run){.arena = work->arena,
+                           .scratch = work->arena,
+                           .team = work->service->team,
+                           .cancel = work->cancel,
+                           .error = error};
+}
+
 enum request_next drawing_work(const struct work *work)
 {
     struct zr_error error = {0};
     const struct zr_scene *scene;
     struct zr_drawing_file file;
     enum zr_status status = ZR_OK;
-    const struct zr_run run = {.arena = work->arena,
-                               .scratch = work->arena,
-                               .team = work->service->team,
-                               .cancel = work->cancel,
-                               .error = &error};
+    const struct zr_run run = begin(work, &error);
     if (work->request->small_only) return REQUEST_LARGE; /* takes longer than a small one in any case */
     const int64_t mark_us = clock_us();
     const enum request_next next = body_next(work, body_read_scene(work, &run, &scene, &status));
@@ -114,4 +125,21 @@ enum request_next drawing_work(const struct work *work)
     else
         report(work, &run, status);
     return REQUEST_ANSWERED;
+}
+
+enum mcp_draw_status drawing_for_agent(const struct work *work, const struct mcp_draw *draw, const char *query,
+                                       struct mcp_told *told)
+{
+    struct zr_error error = {0};
+    struct zr_drawing_file file;
+    const struct zr_scene *scene;
+    const struct zr_run run = begin(work, &error);
+    if (work->request->small_only) return MCP_LATER;
+    enum zr_status status = for_agent_read(work, &run, draw, &scene);
+    if (status == ZR_OK) status = make_file(work, &run, scene, query, &file);
+    if (status != ZR_OK) return for_agent_refuse(&run, status, &told->faults);
+    told->json = file.json;
+    told->picture = file.bytes;
+    told->picture_size = file.size;
+    return MCP_DRAWN;
 }

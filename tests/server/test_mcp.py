@@ -180,11 +180,11 @@ class Http(unittest.TestCase):
         self.assertEqual((result["cacheScope"], type(result["ttlMs"]), answer["id"]), ("public", int, 7))
 
     def test_list(self):
-        """tools/list names four tools that only read, the same bytes each time"""
+        """tools/list names five tools that only read, the same bytes each time"""
         first, second = (self.daemon.ask("tools/list") for _ in range(2))
         self.assertEqual(first, second)
         self.assertIn("ttlMs", first[1]["result"])
-        self.assertEqual(list(self.tools), ["render", "facts", "pick", "compare"])
+        self.assertEqual(list(self.tools), ["render", "facts", "pick", "compare", "drawing"])
         for tool in self.tools.values():
             self.assertTrue(tool["annotations"]["readOnlyHint"])
             self.assertFalse(tool["annotations"]["openWorldHint"])
@@ -380,6 +380,42 @@ class Http(unittest.TestCase):
         self.refused("compare", ["/b/text: base64 is given, too"], a={"text": BOX}, b={"base64": "", "text": BOX})
         self.refused("compare", ["/model: the argument 'model' is unknown"], a={"text": BOX}, b={"text": BOX}, model={"text": BOX})
         self.refused("compare", ["b has no faces"], a={"text": BOX}, b={"text": "v 0 0 0\nv 1 0 0\nl 1 2\n"})
+
+    def test_drawing(self):
+        """drawing makes the drawing of /v1/drawing: one line of words, warnings, a PNG of modest size or an SVG"""
+        served = lambda query: self.daemon.send("/v1/drawing?" + query, BOX.encode(), Content_Type="model/obj")[2]
+        for page, dpi in (("a3", 94), ("a4", 134)):
+            result = self.call("drawing", model={"text": BOX}, page=page)
+            check(result["structuredContent"], self.tools["drawing"]["outputSchema"])
+            (image, kind), = images(result)
+            self.assertEqual((max(size_of(image, kind)) <= SIDE_MAX, image), (True, served(f"format=png&page={page}&dpi={dpi}")))
+        self.assertTrue(texts(result)[0].startswith("model: scale 2:1 on A4, third angle; width 20, depth 5, height 10 mm (the file has no unit"), texts(result))
+        self.assertIn("; no round hole", texts(result)[0])
+        result = self.call("drawing", model={"text": BOX}, format="svg", title="B & <1> +%", hidden=False, section="x:0.25", up="z")
+        self.assertEqual(texts(result)[1].encode(), served("title=B%20%26%20%3C1%3E%20%2B%25&hidden=false&section=x:0.25&up=z"))
+        self.assertEqual((result["structuredContent"]["millimetres"], len(result["content"])), ({"width": 20, "height": 5, "depth": 10}, 2))
+        result = self.call("drawing", model={"text": ASSEMBLY}, section="y", scene={"hide": ["block"]})
+        self.assertEqual(result["structuredContent"]["millimetres"]["width"], 10)
+        self.assertRegex(texts(result)[0], r"\nwarning: .*not closed")
+        with open("tests/scenes/annotate-holes.json") as file:
+            self.assertTrue(texts(self.call("drawing", scene=json.load(file)))[0].endswith("; 8 of 8 round holes in notes"))
+        model = {"text": BOX}
+        for expected, arguments in (
+            ("/dpi: 5000 is not 30 to 600", {"dpi": 5000}),
+            ("/section: x:2 is not x, y or z, nor one of them with a share between 0 and 1", {"section": "x:2"}),
+            ("/page: a5 is not a4 or a3", {"page": "a5"}),
+            ("/dpi: the drawing has ", {"dpi": 600, "up": "z", "model": {"text": "v 0 0 0\nv 40 0 0\nv 0 20 0\nv 0 0 10\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"}}),
+            ("/scale: a word, a number, true or false is expected", {"scale": [1, 2]}),
+            ("/views: the argument 'views' is unknown", {"views": ["top"]}),
+            ("the largest standard scale that fits is 5:1", {"scale": "1000:1"}),
+            ("leave out views and sheet", {"scene": {"views": [{"view": {"preset": "top"}}]}}),
+            ("/scene/sections: ", {"scene": {"sections": {"planes": [{"axis": "x"}]}}}),
+            ("/model: the file is empty", {"model": {"text": ""}}),
+            ("has none: points and lines alone have no drawing", {"model": {"text": "v 0 0 0\nv 1 0 0\nl 1 2\n"}}),
+        ):
+            with self.subTest(expected):
+                self.refused("drawing", [expected], **{"model": model, **arguments})
+        self.refused("drawing", ["give a model, a scene"])
 
     def test_facts_of_shown_parts(self):
         """facts of a scene that hides or moves parts are those of what is shown, and say so"""
@@ -731,6 +767,9 @@ class Stdio(unittest.TestCase):
                 self.assertEqual(self.pipe.call(tool, **arguments), daemon.call(tool, **arguments))
             arguments = {"a": {"text": BOX}, "b": {"text": BOX.replace("20", "30")}}
             self.assertEqual(self.pipe.call("compare", **arguments), daemon.call("compare", **arguments))
+            for arguments in ({}, {"format": "svg", "date": "2026-11-30"}, {"dpi": 1}, {"model": {"text": "v"}}):
+                arguments = {"model": {"text": BOX}, **arguments}
+                self.assertEqual(self.pipe.call("drawing", **arguments), daemon.call("drawing", **arguments))
         finally:
             daemon.stop()
         self.assertEqual(self.pipe.ask("server/discover")["result"]["supportedVersions"], [MODERN])
@@ -741,6 +780,8 @@ class Stdio(unittest.TestCase):
         """Files are read below the root alone, and links do not lead out"""
         for path in ("box.obj", "sub/both.obj", "sub/../box.obj", "inside.obj", os.path.join(self.root, "box.obj")):
             self.assertFalse(self.pipe.call("facts", model={"path": path})["isError"], path)
+        drawn = texts(self.pipe.call("drawing", model={"path": "sub/../box.obj"}, format="svg"))
+        self.assertTrue(drawn[0].startswith("box.obj: scale ") and 'aria-label="box.obj"' in drawn[1], drawn[0])
         for path in ("../secret.obj", "link.obj", os.path.join(self.folder.name, "secret.obj"), "/etc/passwd", "../none", "/none/x"):
             result = self.pipe.call("facts", model={"path": path})
             self.assertTrue(result["isError"], path)

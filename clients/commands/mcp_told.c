@@ -1,4 +1,4 @@
-#include "commands/mcp_compare.h"
+#include "commands/mcp_told.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -7,13 +7,14 @@
 #include "mcp/faults.h"
 #include "mcp/model.h"
 
-/* What the answer of a comparison owns. */
+/* Objects behind the answer. */
 struct owned {
     zraster_comparison *comparison;
     zraster_picture *picture;
+    zraster_drawing *drawing;
 };
 
-void mcp_compare_faults(const zraster_error *error, struct mcp_faults *faults)
+void mcp_told_faults(const zraster_error *error, struct mcp_faults *faults)
 {
     for (size_t i = 0; i < zraster_error_count(error); i++)
         mcp_fault(faults, zraster_error_pointer(error, i), "%s", zraster_error_detail(error, i));
@@ -33,12 +34,12 @@ static zraster_status read_input(const struct engine *engine, const struct input
                                             .part_count = input_parts(input, parts),
                                             .cancel = engine->cancel};
     const zraster_status status = zraster_scene_read(engine->renderer, &request, scene, &error);
-    if (status != ZRASTER_OK) mcp_compare_faults(error, faults);
+    if (status != ZRASTER_OK) mcp_told_faults(error, faults);
     zraster_error_free(error);
     return status;
 }
 
-/* Reads a model. Faults get the name of its argument. */
+/* Reads a model. Faults get the name of its argument, if it is a side of a comparison: 0 or 1; -1: it is none. */
 static enum mcp_draw_status read_side(const struct engine *engine, const char *root, const struct mcp_draw *draw,
                                       int side, zraster_scene **scene, struct mcp_faults *faults)
 {
@@ -51,7 +52,7 @@ static enum mcp_draw_status read_side(const struct engine *engine, const char *r
         mcp_fault(faults, "", "out of memory");
     if (input) mcp_files_free(input, draw);
     free(input);
-    for (size_t i = 0; i < faults->count; i++)
+    for (size_t i = 0; side >= 0 && i < faults->count; i++)
         mcp_side_point(faults->at[i].pointer, side);
     return status;
 }
@@ -73,47 +74,79 @@ static void free_owned(struct owned *owned)
     if (!owned) return;
     zraster_picture_free(owned->picture);
     zraster_comparison_free(owned->comparison);
+    zraster_drawing_free(owned->drawing);
     free(owned);
 }
 
 static enum mcp_draw_status compare_read(const struct engine *engine, zraster_scene *const scenes[2], const char *query,
-                                         struct mcp_compared *compared)
+                                         struct mcp_told *told)
 {
     struct owned *owned = calloc(1, sizeof *owned);
     struct zraster_bytes picture = {.data = NULL};
     zraster_error *error = NULL;
     if (!owned) {
-        mcp_fault(&compared->faults, "", "out of memory");
+        mcp_fault(&told->faults, "", "out of memory");
         return MCP_REFUSED;
     }
     const zraster_status status = compare_scenes(engine, scenes, query, owned, &picture, &error);
     if (status == ZRASTER_OK) {
-        compared->json = zraster_comparison_json(owned->comparison);
-        compared->picture = picture.data;
-        compared->picture_size = picture.size;
-        compared->owner = owned;
+        told->json = zraster_comparison_json(owned->comparison);
+        told->picture = picture.data;
+        told->picture_size = picture.size;
+        told->owner = owned;
     } else {
-        mcp_compare_faults(error, &compared->faults);
+        mcp_told_faults(error, &told->faults);
         free_owned(owned);
     }
     zraster_error_free(error);
     return status == ZRASTER_OK ? MCP_DRAWN : status == ZRASTER_CANCELLED ? MCP_CANCELLED : MCP_REFUSED;
 }
 
-enum mcp_draw_status mcp_compare_here(const struct engine *engine, const char *root, const struct mcp_compare *compare,
-                                      struct mcp_compared *compared)
+enum mcp_draw_status mcp_told_compare(const struct engine *engine, const char *root, const struct mcp_compare *compare,
+                                      struct mcp_told *told)
 {
     zraster_scene *scenes[2] = {NULL, NULL};
     enum mcp_draw_status status = MCP_DRAWN;
     for (int i = 0; i < 2 && status == MCP_DRAWN; i++)
-        status = read_side(engine, root, &compare->sides[i], i, &scenes[i], &compared->faults);
-    if (status == MCP_DRAWN) status = compare_read(engine, scenes, compare->query, compared);
+        status = read_side(engine, root, &compare->sides[i], i, &scenes[i], &told->faults);
+    if (status == MCP_DRAWN) status = compare_read(engine, scenes, compare->query, told);
     for (int i = 0; i < 2; i++)
         zraster_scene_free(scenes[i]);
     return status;
 }
 
-void mcp_compare_release(struct mcp_compared *compared)
+static enum mcp_draw_status draw_read(const struct engine *engine, const zraster_scene *scene, const char *query,
+                                      struct mcp_told *told)
 {
-    free_owned(compared->owner);
+    struct owned *owned = calloc(1, sizeof *owned);
+    zraster_error *error = NULL;
+    if (!owned) return mcp_fault(&told->faults, "", "out of memory"), MCP_REFUSED;
+    const zraster_status status = zraster_drawing_make(scene, query, engine->cancel, &owned->drawing, &error);
+    if (status == ZRASTER_OK) {
+        const struct zraster_bytes file = zraster_drawing_file(owned->drawing);
+        told->json = zraster_drawing_json(owned->drawing);
+        told->picture = file.data;
+        told->picture_size = file.size;
+        told->owner = owned;
+    } else {
+        mcp_told_faults(error, &told->faults);
+        free_owned(owned);
+    }
+    zraster_error_free(error);
+    return status == ZRASTER_OK ? MCP_DRAWN : status == ZRASTER_CANCELLED ? MCP_CANCELLED : MCP_REFUSED;
+}
+
+enum mcp_draw_status mcp_told_drawing(const struct engine *engine, const char *root, const struct mcp_draw *draw,
+                                      const char *query, struct mcp_told *told)
+{
+    zraster_scene *scene = NULL;
+    enum mcp_draw_status status = read_side(engine, root, draw, -1, &scene, &told->faults);
+    if (status == MCP_DRAWN) status = draw_read(engine, scene, query, told);
+    zraster_scene_free(scene);
+    return status;
+}
+
+void mcp_told_release(struct mcp_told *told)
+{
+    free_owned(told->owner);
 }
