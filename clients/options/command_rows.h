@@ -51,6 +51,7 @@
         "millionth of the size; pictures: 0)")                                                                         \
     ROW(ALIGN, "align", 0, "HOW", "c",                                                                                 \
         "motion of the second model before: none, bounds, principal or icp (default: none)")                           \
+    ROW(RESCALE, "rescale", 0, NULL, "c", "scaling of the second model by --align")                                     \
     ROW(PICTURE, "picture", 0, "KIND", "c",                                                                            \
         "picture of two models for -o: difference, deviation or side (default: difference)")
 #define GENERAL_OPTION_ROWS(ROW)                                                                                       \

@@ -303,6 +303,7 @@ static void print_alignment(struct zr_print *print, const struct zr_comparison *
     zr_print_begin(print, "alignment", '{');
     zr_print_string(print, "align", zr_align_words[c->align]);
     print_motion(print, "matrix", c, &own->motion);
+    if (own->scale > 0.0) zr_print_double(print, "scale", own->scale);
     if (!own->is_omitted) zr_print_double(print, "rmsBefore", own->before);
     if (!own->is_omitted) zr_print_double(print, "rmsAfter", own->after);
     if (c->align == ZR_ALIGN_PRINCIPAL) zr_print_bool(print, "mirrored", own->is_mirrored);
