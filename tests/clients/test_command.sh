@@ -216,7 +216,7 @@ check "different models end with 4" 4 "$zraster" compare corner.obj taller.obj -
 verdict "with numbers" grep -q '^IoU 0.5' "$said"
 verdict "and a picture" [ "$(size_of_png models.png)" = 64x64 ]
 check "--json has all numbers" 4 "$zraster" compare corner.obj taller.obj --json
-verdict "of the regions" grep -q '"regions":\[{"in":"b","volume":0.1' "$said"
+verdict "of the regions" grep -q '"regions":\[{"mark":1,"in":"b","kind":"added","volume":0.1' "$said"
 
 # batch
 mkdir -p many/deep
