@@ -218,6 +218,14 @@ verdict "and a picture" [ "$(size_of_png models.png)" = 64x64 ]
 check "--json has all numbers" 4 "$zraster" compare corner.obj taller.obj --json
 verdict "of the regions" grep -q '"regions":\[{"mark":1,"in":"b","kind":"added","volume":0.1' "$said"
 
+# info --expect
+check "expected facts pass" 0 "$zraster" info corner.obj --expect '{"box": [1, 1, 1], "closed": true, "triangles": 4, "tolerance": 0.01, "volume": 0.16, "holes": []}'
+verdict "with a row for each" [ "$(grep -c '^pass  ' "$said")" = 4 ]
+check "others end with 4" 4 "$zraster" info corner.obj --expect '{"box": [1, 1, 2], "area": 2.366}' --json
+verdict "as JSON, too" grep -qxF '{"rows":[{"key":"box","pass":false,"expected":[1,1,2],"found":[1,1,1]},{"key":"area","pass":true,"expected":2.366,"found":2.3660254}],"pass":false}' "$said"
+check "unknown keys are refused" 2 "$zraster" info corner.obj --expect '{"size": 3}'
+check "and files that are missing" 2 "$zraster" info corner.obj --expect missing.json
+
 # batch
 mkdir -p many/deep
 for i in 01 02 03 04 05 06 07 08 09 10 11 12; do awk -v seed=$i 'BEGIN { for (k = 0; k < 40; k++) { a = k * 2.4 + seed; print "v", cos(a) * k, sin(a) * k, (k * seed) % 7 } for (k = 1; k < 39; k++) print "f", k, k + 1, k + 2 }' >many/m$i.obj; done
