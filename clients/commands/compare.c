@@ -1,12 +1,13 @@
-/* compare.c - client: `zraster compare`: two pictures, or two models. */
+/* compare.c - client: `zraster compare`: two pictures, two arrays, or two models. */
 #include "commands/compare.h"
 
 #include <stdio.h>
 
 #include "files/input.h"
+#include "files/numbers.h"
 #include "files/pixels.h"
 
-enum kind { UNKNOWN, PICTURE, MODEL };
+enum kind { UNKNOWN, PICTURE, ARRAY, MODEL, KINDS };
 
 /* Returns the kind of a file, by its ending or its first bytes. */
 static enum kind kind_of(const struct options *options, const char *path)
@@ -16,7 +17,7 @@ static enum kind kind_of(const struct options *options, const char *path)
     FILE *file = fopen(path, "rb");
     const size_t size = file ? fread(head, 1, sizeof head, file) : 0;
     if (file) fclose(file);
-    return pixels_are_in(head, size) ? PICTURE : UNKNOWN;
+    return numbers_are_in(head, size) ? ARRAY : pixels_are_in(head, size) ? PICTURE : UNKNOWN;
 }
 
 int command_compare(struct options *options)
@@ -28,10 +29,10 @@ int command_compare(struct options *options)
                              "\"zraster compare a.stl b.stl\"");
     const char *a = options->files[0], *b = options->files[1];
     const enum kind first = kind_of(options, a), second = kind_of(options, b);
-    if (first == PICTURE && second == MODEL)
-        return options_wrong("%s is a picture and %s is a model: compare two of one kind", a, b);
-    if (first == MODEL && second == PICTURE)
-        return options_wrong("%s is a model and %s is a picture: compare two of one kind", a, b);
+    static const char *const words[KINDS] = {"", "a picture", "an array", "a model"};
+    if (first != second && first != UNKNOWN && second != UNKNOWN)
+        return options_wrong("%s is %s and %s is %s: compare two of one kind", a, words[first], b, words[second]);
+    if (first == ARRAY || second == ARRAY) return compare_numbers(options);
     if (first != MODEL && second != MODEL) return compare_pictures(options);
     return compare_models(options);
 }

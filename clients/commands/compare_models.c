@@ -272,6 +272,7 @@ static int compare(const struct engine *engine, const struct options *options, c
     int status = STATUS_FAILED;
     if (options->own[OPTION_TOLERANCE]) bytes_print(&query, "tolerance=%s", options->own[OPTION_TOLERANCE]);
     if (options->own[OPTION_ALIGN]) bytes_print(&query, "&align=%s", options->own[OPTION_ALIGN]);
+    if (options->own[OPTION_RESCALE]) bytes_print(&query, "&rescale=on");
     if (options->own[OPTION_OUTPUT])
         bytes_print(&query, "&show=%s", options->own[OPTION_PICTURE] ? options->own[OPTION_PICTURE] : "difference");
     const zraster_status result = zraster_compare(a, b, bytes_text(&query), engine->cancel, &comparison, &error);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "commands/expect.h"
 #include "engine/job.h"
 #include "engine/report.h"
 #include "files/say.h"
@@ -181,12 +182,23 @@ int command_info(struct options *options)
     if (options->parameters[PARAMETER_channel]) return options_wrong("info has no --channel; leave it out");
     options->parameters[PARAMETER_channel] = "info";
     if (!options->parameters[PARAMETER_features]) options->parameters[PARAMETER_features] = "true";
-    int status = input_check_type(options);
+    struct bytes faults = {.data = NULL};
+    cJSON *expected = options->own[OPTION_EXPECT] ? expect_read(options->own[OPTION_EXPECT], &faults) : NULL;
+    int status = faults.size > 0 ? options_wrong("%s", bytes_text(&faults)) : input_check_type(options);
+    bytes_free(&faults);
     if (status == 0) status = engine_open(&engine, options, options_threads(options), 1);
-    if (status != 0) return status;
+    if (status != 0) {
+        cJSON_Delete(expected);
+        return status;
+    }
     struct job job = {.target = output_target(options->files[0], "-"), .options = options};
     job_draw(&engine, &job, &answer);
-    if (job.status == STATUS_DONE && options->own[OPTION_JSON])
+    bool passes = true;
+    if (job.status == STATUS_DONE && expected) {
+        cJSON *facts = cJSON_ParseWithLength(answer.file.data, answer.file.size);
+        passes = expect_print(facts, expected, options->own[OPTION_JSON] != NULL);
+        cJSON_Delete(facts);
+    } else if (job.status == STATUS_DONE && options->own[OPTION_JSON])
         fwrite(answer.file.data, 1, answer.file.size, stdout);
     else if (job.status == STATUS_DONE) {
         cJSON *facts = cJSON_ParseWithLength(answer.file.data, answer.file.size);
@@ -195,7 +207,8 @@ int command_info(struct options *options)
         cJSON_Delete(facts);
     } else if (job.status != STATUS_INTERRUPTED)
         report_of_file(stderr, job.target.file, &job.faults);
-    status = job.status;
+    status = job.status == STATUS_DONE && !passes ? STATUS_DIFFERENT : job.status;
+    cJSON_Delete(expected);
     answer_free(&answer);
     job_free(&job);
     engine_close(&engine);

@@ -13,7 +13,7 @@ enum {
     STATUS_FAILED,    /* a file cannot be read, drawn or written */
     STATUS_USAGE,     /* the command line is wrong */
     STATUS_WARNED,    /* warnings, with --strict */
-    STATUS_DIFFERENT, /* compare: pictures differ */
+    STATUS_DIFFERENT, /* compare, info --expect: something differs */
     STATUS_INTERRUPTED = 130
 };
 

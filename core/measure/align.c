@@ -17,6 +17,7 @@ enum {
     CANDIDATES = 73,
     REFINED = 6,
     ANGLES = 36,
+    UNKNOWNS = 7,
     ITEMS_PER_CANCEL_CHECK = 1 << 13
 };
 
@@ -28,6 +29,11 @@ enum {
 
 /* Distances that are rounding errors, relative to the diagonal. */
 #define ROUNDING 1e-9
+
+/* Largest step of scaling, and range of its result, relative to sizes that are equal by moments. */
+#define SCALE_STEP  0.05
+#define SCALE_LEAST 0.7
+#define SCALE_MOST  1.4
 
 /* Pairs beyond this multiple of the median distance do not count. */
 #define OUTLIER 2.5
@@ -41,6 +47,7 @@ struct aligning {
     const struct zr_run *run;
     const struct zr_surface_tree *a;
     const struct zr_solid *b;
+    int unknowns; /* of a step: 3 of turning, 3 of shifting, and 1 of scaling if that is allowed */
     struct zr_surface_point *points[3]; /* COARSE, MEDIUM and FINE ones of b */
     uint32_t counts[3];
     struct zr_surface_hit *hits; /* per point */
@@ -85,28 +92,28 @@ static double find_reach(struct aligning *m, int set)
 /* ---- point to plane ---- */
 
 /* Solves a symmetric system by elimination; directions without weight get 0. */
-static void solve(double a[6][7], double out[6])
+static void solve(int count, double a[UNKNOWNS][UNKNOWNS + 1], double out[UNKNOWNS])
 {
     double most = 0.0;
-    for (int k = 0; k < 6; k++)
+    for (int k = 0; k < count; k++)
         most = zr_most_of(most, a[k][k]);
-    for (int k = 0; k < 6; k++) {
+    for (int k = 0; k < count; k++) {
         if (!(a[k][k] > 1e-10 * most)) {
-            for (int c = 0; c < 7; c++)
+            for (int c = 0; c <= count; c++)
                 a[k][c] = 0.0;
-            for (int r = 0; r < 6; r++)
+            for (int r = 0; r < count; r++)
                 a[r][k] = 0.0;
             a[k][k] = 1.0;
         }
-        for (int r = k + 1; r < 6; r++) {
+        for (int r = k + 1; r < count; r++) {
             const double share = a[r][k] / a[k][k];
-            for (int c = k; c < 7; c++)
+            for (int c = k; c <= count; c++)
                 a[r][c] -= share * a[k][c];
         }
     }
-    for (int k = 6; k-- > 0;) {
-        double rest = a[k][6];
-        for (int c = k + 1; c < 6; c++)
+    for (int k = count; k-- > 0;) {
+        double rest = a[k][count];
+        for (int c = k + 1; c < count; c++)
             rest -= a[k][c] * out[c];
         out[k] = rest / a[k][k];
     }
@@ -114,22 +121,25 @@ static void solve(double a[6][7], double out[6])
 
 /* Adds a pair: the point p shall lie in the plane through `at` with the normal n. */
 static void add_pair(struct zr_world_place p, struct zr_world_place at, struct zr_world_place n,
-                     struct zr_world_place center, double size, double system[6][7])
+                     struct zr_world_place center, double size, int count, double system[UNKNOWNS][UNKNOWNS + 1])
 {
     const struct zr_world_place arm = {(p.x - center.x) / size, (p.y - center.y) / size, (p.z - center.z) / size},
                                 lever = zr_world_place_cross(arm, n);
-    const double row[7] = {
-        lever.x, lever.y, lever.z, n.x, n.y, n.z, zr_world_place_dot(zr_world_place_minus(at, p), n) / size};
-    for (int r = 0; r < 6; r++)
-        for (int c = 0; c < 7; c++)
+    const double row[UNKNOWNS] = {lever.x, lever.y, lever.z, n.x, n.y, n.z, zr_world_place_dot(arm, n)},
+                 gap = zr_world_place_dot(zr_world_place_minus(at, p), n) / size;
+    for (int r = 0; r < count; r++) {
+        for (int c = 0; c < count; c++)
             system[r][c] += row[r] * row[c];
+        system[r][count] += row[r] * gap;
+    }
 }
 
 /* Improves a motion by one round. Returns how far it moves, relative to the diagonal. */
 static double improve(struct aligning *m, int set, bool takes_all, struct zr_rigid *motion)
 {
-    double system[6][7] = {{0}}, step[6];
+    double system[UNKNOWNS][UNKNOWNS + 1] = {{0}}, step[UNKNOWNS] = {0};
     const struct zr_solid *solid = m->a->solid;
+    const int count = set == 2 ? m->unknowns : UNKNOWNS - 1; /* smaller is nearer from a wrong place */
     const struct zr_world_place center = {0.5 * (solid->min[0] + solid->max[0]), 0.5 * (solid->min[1] + solid->max[1]),
                                           0.5 * (solid->min[2] + solid->max[2])};
     find_hits(m, set, motion);
@@ -137,15 +147,18 @@ static double improve(struct aligning *m, int set, bool takes_all, struct zr_rig
     for (uint32_t i = 0; i < m->counts[set] && goes_on(m); i++) {
         if (m->hits[i].square > reach) continue;
         add_pair(zr_rigid_apply(motion, m->points[set][i].at), m->hits[i].at,
-                 zr_surface_normal(solid, m->hits[i].triangle), center, solid->diagonal, system);
+                 zr_surface_normal(solid, m->hits[i].triangle), center, solid->diagonal, count, system);
     }
     if (!goes_on(m)) return 0.0;
-    solve(system, step);
+    solve(count, system, step);
     const double shift[3] = {step[3] * solid->diagonal, step[4] * solid->diagonal, step[5] * solid->diagonal};
     const struct zr_rigid more = zr_rigid_of_step(center, step, shift);
+    step[6] = zr_most_of(-SCALE_STEP, zr_least_of(step[6], SCALE_STEP));
+    const struct zr_rigid scaling = zr_rigid_scaling(center, 1.0 + step[6]);
     *motion = zr_rigid_after(motion, &more);
+    if (count == UNKNOWNS) *motion = zr_rigid_after(motion, &scaling);
     double moved = 0.0;
-    for (int k = 0; k < 6; k++)
+    for (int k = 0; k < UNKNOWNS; k++)
         moved = zr_most_of(moved, fabs(step[k]));
     return moved;
 }
@@ -303,6 +316,11 @@ static void choose(struct aligning *m, uint32_t far, struct zr_alignment *out)
         if (m->candidates[i].error + floor < BETTER * (m->candidates[best].error + (best == 0 ? floor : 0.0))) best = i;
     struct candidate chosen = m->candidates[best];
     refine(m, 2, 0, &chosen);
+    const double scale = zr_rigid_scale(&chosen.motion);
+    if (scale < SCALE_LEAST || scale > SCALE_MOST) { /* it shrinks to a place of the surface, or away from it */
+        chosen = m->candidates[best];
+        chosen.error = find_hits(m, 2, &chosen.motion);
+    }
     out->motion = chosen.motion;
     out->after = chosen.error;
     list_ambiguous(m, count, m->candidates[best].error / BETTER + floor, out);
@@ -356,7 +374,7 @@ static bool make_room(struct aligning *m, struct zr_arena *scratch)
 }
 
 enum zr_status zr_align_find(const struct zr_run *run, const struct zr_surface_tree *a, const struct zr_solid *b,
-                             enum zr_align kind, struct zr_alignment *out)
+                             enum zr_align kind, bool can_scale, struct zr_alignment *out)
 {
     struct zr_arena scratch = zr_arena_open_scratch(run->arena);
     struct aligning *m = zr_arena_zero(&scratch, 1, sizeof *m);
@@ -366,11 +384,26 @@ enum zr_status zr_align_find(const struct zr_run *run, const struct zr_surface_t
         m->run = run;
         m->a = a;
         m->b = b;
+        m->unknowns = can_scale && kind != ZR_ALIGN_BOUNDS ? UNKNOWNS : UNKNOWNS - 1;
         ok = make_room(m, &scratch);
         if (ok && kind != ZR_ALIGN_NONE && a->leaf_count > 0 && b->count > 0) align(m, kind, out);
     }
     zr_arena_close_scratch(&scratch, run->arena);
     return zr_is_cancelled(run->cancel) ? ZR_CANCELLED : ok ? ZR_OK : ZR_NO_MEMORY;
+}
+
+static double trace_of(const struct zr_moments *moments)
+{
+    return moments->second[0][0] + moments->second[1][1] + moments->second[2][2];
+}
+
+struct zr_rigid zr_align_size(const struct zr_solid *a, const struct zr_solid *b, enum zr_align kind,
+                              const struct zr_cancel *cancel)
+{
+    const struct zr_moments first = zr_moments_of(a, cancel), second = zr_moments_of(b, cancel);
+    const double ratio =
+        kind == ZR_ALIGN_BOUNDS ? a->diagonal / b->diagonal : sqrt(trace_of(&first) / trace_of(&second));
+    return zr_rigid_scaling(second.center, ratio > 0.0 && ratio < HUGE_VAL ? ratio : 1.0);
 }
 
 static bool is_due(const struct zr_cancel *cancel, uint32_t i)
@@ -380,6 +413,12 @@ static bool is_due(const struct zr_cancel *cancel, uint32_t i)
 
 void zr_align_move(struct zr_solid *solid, const struct zr_rigid *motion, const struct zr_cancel *cancel)
 {
+    const double scale = zr_rigid_scale(motion);
+    if (scale != 1.0) {
+        solid->diagonal *= scale;
+        solid->area *= scale * scale;
+        solid->volume *= scale * scale * scale;
+    }
     for (uint32_t i = 0; i < solid->place_count && !is_due(cancel, i); i++)
         solid->places[i] = zr_rigid_apply(motion, solid->places[i]);
     for (uint32_t t = 0; t < solid->count && !is_due(cancel, t); t++)

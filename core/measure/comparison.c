@@ -19,6 +19,13 @@ static const struct {
              {10.0, "centimetres and millimetres"}, {1000.0, "metres and millimetres"},
              {100.0, "metres and centimetres"},     {39.37, "metres and inches"}};
 
+/* True if a ratio, or its inverse, is the factor to 2 %. */
+static bool is_factor(double ratio, double factor)
+{
+    const double up = ratio / factor, down = ratio * factor;
+    return (up > 0.98 && up < 1.02) || (down > 0.98 && down < 1.02);
+}
+
 /* Warns if the files name different units, or if one model is larger by the factor of two units, to 2 %. */
 static void warn_of_units(const struct zr_run *run, const struct zr_scene *const scenes[2], struct zr_comparison *c)
 {
@@ -26,10 +33,12 @@ static void warn_of_units(const struct zr_run *run, const struct zr_scene *const
     if (names[0] && names[1] && strcmp(names[0], names[1]) != 0)
         zr_warning_list_add(run->arena, &c->warnings, "a is in the unit %s, b in %s: lengths are not converted",
                             names[0], names[1]);
-    const double ratio = c->a.diagonal > 0.0 ? c->b.diagonal / c->a.diagonal : 1.0;
+    const double of_boxes = c->a.diagonal > 0.0 ? c->b.diagonal / c->a.diagonal : 1.0,
+                 of_areas = c->a.area > 0.0 ? sqrt(c->b.area / c->a.area) : 1.0; /* also of a turned model */
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
-        const double up = ratio / units[i].factor, down = ratio * units[i].factor;
-        if ((up > 0.98 && up < 1.02) || (down > 0.98 && down < 1.02))
+        const bool is_box = is_factor(of_boxes, units[i].factor), is_area = is_factor(of_areas, units[i].factor);
+        const double ratio = is_box ? of_boxes : of_areas;
+        if (is_box || is_area)
             zr_warning_list_add(run->arena, &c->warnings,
                                 "b is %.4g times as large as a, as if one had other units: %s", ratio, units[i].words);
     }
@@ -136,15 +145,23 @@ static enum zr_status measure_parts(const struct zr_run *run, const struct zr_sc
 }
 
 /* Moves b. */
-static enum zr_status align(const struct zr_run *run, struct zr_comparison *c)
+static enum zr_status align(const struct zr_run *run, bool can_scale, struct zr_comparison *c)
 {
     struct zr_arena scratch = zr_arena_open_scratch(run->arena);
     const struct zr_run inner = zr_run_in(run, &scratch);
     struct zr_surface_tree tree;
+    struct zr_rigid size = zr_rigid_none();
+    if (can_scale) size = zr_align_size(&c->a, &c->b, c->align, run->cancel);
+    if (can_scale) zr_align_move(&c->b, &size, run->cancel);
     enum zr_status status = zr_surface_tree_make(&inner, &c->a, &tree);
-    if (status == ZR_OK) status = zr_align_find(&inner, &tree, &c->b, c->align, &c->alignment);
+    if (status == ZR_OK) status = zr_align_find(&inner, &tree, &c->b, c->align, can_scale, &c->alignment);
     if (status == ZR_OK) zr_align_move(&c->b, &c->alignment.motion, run->cancel);
     zr_arena_close_scratch(&scratch, run->arena);
+    if (status != ZR_OK || !can_scale) return status;
+    c->alignment.motion = zr_rigid_after(&size, &c->alignment.motion);
+    c->alignment.scale = zr_rigid_scale(&c->alignment.motion);
+    for (uint32_t i = 0; i < c->alignment.ambiguous_count; i++)
+        c->alignment.ambiguous[i] = zr_rigid_after(&size, &c->alignment.ambiguous[i]);
     return status;
 }
 
@@ -183,7 +200,7 @@ enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scen
                                 "%s has no faces with an area; comparing needs surfaces, not lines or points",
                                 sides[i]);
     warn_of_units(run, (const struct zr_scene *const[2]){a, b}, out);
-    if (out->align != ZR_ALIGN_NONE) status = align(run, out);
+    if (out->align != ZR_ALIGN_NONE) status = align(run, options->can_scale, out);
     if (status != ZR_OK) return status;
     status = measure(run, (const struct zr_scene *const[2]){a, b}, options, out);
     if (status != ZR_OK) return status;

@@ -33,6 +33,7 @@ struct zr_comparison_options {
     bool is_drawn;    /* zr_comparison has trees, for a picture */
     bool has_no_deviation, has_no_features;
     enum zr_align align;
+    bool can_scale; /* the alignment */
 };
 
 struct zr_comparison {

@@ -24,6 +24,7 @@ struct making {
     const struct zr_solid *solids[2];
     const struct zr_ray_grid *grid;
     struct seen_place *places[2]; /* of each solid */
+    uint8_t *met;                 /* per triangle of both: 1 if rays cross it, once they are counted */
     _Atomic uint8_t *hits;        /* per ray: 1, or 2 for the second solid; NULL: crossings are listed */
     _Atomic uint32_t *ends;       /* per ray: count of its crossings; then their end, which becomes their begin */
     uint64_t *crossings;          /* NULL: they are counted */
@@ -53,7 +54,7 @@ static bool has_work(struct working *w, uint64_t work)
 /* A triangle in the frame of the grid, and what its crossings tell beside their heights. */
 struct crossing_face {
     struct zr_ray_facet facet;
-    bool is_b, has_tag, has_plane;
+    bool is_b, has_tag, has_plane, is_met;
     uint8_t tag;
 };
 
@@ -81,6 +82,7 @@ static void add_row(struct working *w, struct crossing_face *face, uint32_t row)
     for (uint32_t column = from; m->hits && column < to; column++)
         put_hit(&m->hits[row * m->grid->columns + column], face->is_b ? 2 : 1);
     if (m->hits || from == to) return;
+    face->is_met = true;
     if (m->crossings && !face->has_plane) zr_ray_facet_plane(&face->facet);
     face->has_plane = true;
     for (uint32_t column = from; column < to; column++) {
@@ -102,7 +104,7 @@ static bool is_away(const struct zr_ray_facet *f)
            0.0;
 }
 
-static void add_triangle(struct working *w, const struct zr_solid *solid, uint32_t triangle, bool is_b)
+static void add_triangle(struct working *w, const struct zr_solid *solid, uint32_t triangle, bool is_b, uint8_t *met)
 {
     const struct zr_ray_grid *grid = w->m->grid;
     const struct seen_place *places = w->m->places[is_b];
@@ -120,6 +122,7 @@ static void add_triangle(struct working *w, const struct zr_solid *solid, uint32
     if (!has_work(w, 1 + (uint64_t)(end - begin))) return;
     for (uint32_t row = begin; row < end && !w->is_stopped; row++)
         add_row(w, &face, row);
+    if (met) *met = face.is_met;
 }
 
 static void add_range(void *context, size_t begin, size_t end)
@@ -128,7 +131,10 @@ static void add_range(void *context, size_t begin, size_t end)
     const uint32_t first = w.m->solids[0]->count;
     for (size_t i = begin; i < end && !w.is_stopped; i++) {
         const bool is_b = i >= first;
-        add_triangle(&w, w.m->solids[is_b], (uint32_t)(is_b ? i - first : i), is_b);
+        uint8_t *met = w.m->met ? &w.m->met[i] : NULL;
+        if (w.m->crossings && !*met) continue;
+        if (met) *met = 0;
+        add_triangle(&w, w.m->solids[is_b], (uint32_t)(is_b ? i - first : i), is_b, met);
     }
     w.next_look = 0;
     has_work(&w, 0);
@@ -225,7 +231,8 @@ enum zr_status zr_ray_lists_make(const struct zr_run *run, const struct zr_solid
     struct making m = {.cancel = run->cancel, .solids = {a, b}, .grid = &out->grid};
     *out = (struct zr_ray_lists){.begins = NULL};
     begin_grid(a, b, direction, &out->grid);
-    if (!see_places(run, run->arena, &m)) return ZR_NO_MEMORY;
+    m.met = zr_arena_alloc(run->arena, (size_t)a->count + b->count, sizeof *m.met);
+    if (!m.met || !see_places(run, run->arena, &m)) return ZR_NO_MEMORY;
     for (; rays > 0 && !is_ready && !zr_is_cancelled(run->cancel); rays /= 2) {
         zr_ray_grid_divide(&out->grid, rays);
         m.work_most = work_most_of(&m, rays);

@@ -9,6 +9,9 @@
 
 enum { ROUNDS = 16, ITEMS_PER_TASK = 64, STEPS_PER_ITEM = 1 << 15, TRIANGLES_PER_CANCEL_CHECK = 1 << 13 };
 
+/* Searches go this many times as far as the results have to: so a result often tells of the next places, too. */
+#define FAR 3.0
+
 /* The middles of a triangle's edges; edge k leads from corner k to the next one. */
 struct cut {
     struct zr_world_place middle[3];
@@ -50,24 +53,33 @@ struct searching {
     uint64_t steps;
 };
 
-/* Returns the distance with its sign. Beyond how->reach, only the sign is right. */
+/* Returns the distance with its sign. Beyond r->reach, it may be less, but is at least that. */
 static double distance_of(struct searching *s, struct zr_world_place at)
 {
     const struct zr_surface_tree *other = s->r->other;
-    const double reach = s->r->reach;
-    double distance = reach;
+    const double reach = s->r->reach, near = s->r->how->near;
+    double distance = FAR * reach;
+    if (s->ball.is_known && reach < HUGE_VAL) {
+        const struct zr_world_place way = zr_world_place_minus(at, s->ball.at);
+        const double rest = s->ball.radius - sqrt(zr_world_place_dot(way, way));
+        if (rest > reach) return s->ball.winding != 0 ? -rest : rest;
+    }
     if (!(reach < HUGE_VAL)) zr_surface_tree_nearest(other, at, -1.0, &s->hit, &s->steps);
-    if (!(reach < HUGE_VAL) || zr_surface_tree_within(other, at, reach, &s->hit, &s->steps))
+    if (!(reach < HUGE_VAL) || zr_surface_tree_within(other, at, distance, &s->hit, &s->steps))
         distance = sqrt(s->hit.square);
-    if (!other->solid->is_closed || distance <= s->r->how->near) return distance;
+    if (distance <= near) return distance;
+    if (!other->solid->is_closed) {
+        s->ball = (struct zr_surface_ball){true, at, distance, 0};
+        return distance;
+    }
     return zr_surface_tree_winding_beside(other, at, distance, &s->ball, &s->steps) != 0 ? -distance : distance;
 }
 
-/* True if all of an edge has the class of its ends: the ball around one of them that the other surface does not meet
- * covers it. */
+/* True if all of an edge has the class of its ends: the balls around them that the other surface does not meet cover
+ * it. */
 static bool is_clear(const struct refining *r, double first, double second, double square)
 {
-    const double rest = zr_most_of(fabs(first), fabs(second)) - r->how->near;
+    const double rest = fabs(first) + fabs(second) - 2.0 * r->how->near;
     return (first > 0.0) == (second > 0.0) && rest > 0.0 && square < rest * rest;
 }
 
@@ -262,7 +274,7 @@ static enum zr_status make(struct refining *r, struct zr_arena *scratch, struct 
     r->distances = zr_arena_alloc(scratch, solid->place_count, sizeof *r->distances);
     if (!zr_arena_ok(scratch)) return ZR_NO_MEMORY;
     r->reach = r->how->reach;
-    if (r->reach < HUGE_VAL) r->reach = zr_least_of(r->reach, 1.001 * longest_of(r) + 2.0 * r->how->near);
+    if (r->reach < HUGE_VAL) r->reach = zr_least_of(r->reach, 0.501 * longest_of(r) + 2.0 * r->how->near);
     zr_team_ranges(r->run->team, solid->place_count, ITEMS_PER_TASK, measure_places, r);
     for (uint32_t t = 0; t < solid->count && !is_due(r, t); t++) {
         zr_solid_places(solid, t, r->triangles[t].at);

@@ -17,6 +17,19 @@ struct zr_world_place zr_rigid_apply(const struct zr_rigid *m, struct zr_world_p
                                    (m->turn[2][0] * p.x + m->turn[2][1] * p.y) + (m->turn[2][2] * p.z + m->shift[2])};
 }
 
+struct zr_rigid zr_rigid_scaling(struct zr_world_place center, double scale)
+{
+    const double rest = 1.0 - scale;
+    return (struct zr_rigid){{{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}},
+                             {rest * center.x, rest * center.y, rest * center.z}};
+}
+
+double zr_rigid_scale(const struct zr_rigid *motion)
+{
+    const double *x = motion->turn[0], length = sqrt((x[0] * x[0] + x[1] * x[1]) + x[2] * x[2]);
+    return fabs(length - 1.0) < 1e-12 ? 1.0 : length;
+}
+
 struct zr_rigid zr_rigid_after(const struct zr_rigid *first, const struct zr_rigid *then)
 {
     struct zr_rigid out;

@@ -6,7 +6,7 @@
 
 /* A place p moves to turn p + shift. */
 struct zr_rigid {
-    double turn[3][3]; /* rows; a rotation, or a reflection */
+    double turn[3][3]; /* rows; a rotation, or a reflection, perhaps scaled */
     double shift[3];
 };
 
@@ -33,6 +33,12 @@ struct zr_rigid zr_rigid_after(const struct zr_rigid *first, const struct zr_rig
 
 /* Returns the motion that turns around `center` by a rotation near the vector `turn`, its tangent form, and shifts. */
 struct zr_rigid zr_rigid_of_step(struct zr_world_place center, const double turn[3], const double shift[3]);
+
+/* Returns the scaling around `center`. */
+struct zr_rigid zr_rigid_scaling(struct zr_world_place center, double scale);
+
+/* Returns the factor by which lengths change: exactly 1 if it is 1 to 1e-12. */
+double zr_rigid_scale(const struct zr_rigid *motion);
 
 static inline struct zr_rigid zr_rigid_none(void)
 {

@@ -57,8 +57,8 @@ static enum zr_status read_switch(const char *value, size_t size, const char *na
     return zr_error_add(error, ZR_BAD_REQUEST, name, "one of: on, off");
 }
 
-static const char *const parameters[] = {"align",     "deviation", "features",  "look",
-                                         "precision", "show",      "tolerance", "view"};
+static const char *const parameters[] = {"align", "deviation", "features",  "look", "precision",
+                                         "rescale", "show",      "tolerance", "view"};
 
 bool zr_compare_has_parameter(const char *text)
 {
@@ -83,6 +83,12 @@ static enum zr_status read_parameter(const char *text, size_t size, struct wante
         return read_switch(value, length, "deviation", &out->options.has_no_deviation, error);
     if (is_word(text, name, "features"))
         return read_switch(value, length, "features", &out->options.has_no_features, error);
+    if (is_word(text, name, "rescale")) {
+        bool is_off;
+        const enum zr_status status = read_switch(value, length, "rescale", &is_off, error);
+        out->options.can_scale = !is_off;
+        return status;
+    }
     if (is_word(text, name, "align")) {
         const int found = find_word(value, length, zr_align_words, 4);
         out->options.align = (enum zr_align)found;
@@ -99,7 +105,7 @@ static enum zr_status read_parameter(const char *text, size_t size, struct wante
     if (is_word(text, name, "look")) return copy_word(value, length, "look", out->picture.look, error);
     if (is_word(text, name, "view")) return copy_word(value, length, "view", out->picture.view, error);
     return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                        "unknown parameter; those of comparisons are align, deviation, features, look, precision, "
+                        "unknown parameter; those of comparisons are align, deviation, features, look, precision, rescale, "
                         "show, tolerance, view");
 }
 
@@ -112,6 +118,9 @@ static enum zr_status read_query(const char *query, struct wanted *out, struct z
         if (size > 0) status = read_parameter(query, size, out, error);
         query += size + (query[size] == '&');
     }
+    if (status == ZR_OK && out->options.can_scale && out->options.align == ZR_ALIGN_NONE)
+        return zr_error_add(error, ZR_BAD_REQUEST, "rescale",
+                            "an alignment scales: align has to be bounds, principal or icp");
     return status;
 }
 

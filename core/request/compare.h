@@ -28,6 +28,7 @@ double zr_compare_cost_ms(const struct zr_scene *a, const struct zr_scene *b, co
  *                      share their whole volume
  *   features=off       without holes that differ; else "on"
  *   align=none         b is moved before: bounds, principal or icp (measure/align.h)
+ *   rescale=on         the alignment may scale; else "off"
  *   show=difference    makes a scene, too: deviation or side (request/compare_scene.h); else "none"
  *   look=NAME          look of that scene; "studio"
  *   view=PRESET        its camera, such as front

@@ -8,7 +8,7 @@
 #include "output/json/json_print.h"
 #include "request/change.h"
 
-enum { MESHES_MOST = 4, NAME_SIZE = 8, SHARE = 64, FINE_SHARE = 384 };
+enum { MESHES_MOST = 4, NAME_SIZE = 8, SHARE = 64, FINE_SHARE = 384, MARKS_MOST = 24 };
 
 /* Distance between models side by side, in widths. */
 #define BESIDE 1.2
@@ -105,11 +105,17 @@ static double range_of(const struct showing *s, const struct zr_refined *all)
     return ceil(value / unit - 1e-9) * unit;
 }
 
+/* Returns how far the second model is shifted along x beside the first one. */
+static double shift_of(const struct showing *s)
+{
+    return BESIDE * zr_most_of(s->c->a.max[0] - s->c->a.min[0], s->c->b.max[0] - s->c->b.min[0]);
+}
+
 static enum zr_status make_meshes(struct showing *s, int show)
 {
     enum { NEAR = 1 << ZR_SURFACE_NEAR, OUTSIDE = 1 << ZR_SURFACE_OUTSIDE, INSIDE = 1 << ZR_SURFACE_INSIDE };
     struct zr_refined a = {.count = 0}, b;
-    const double shift = BESIDE * zr_most_of(s->c->a.max[0] - s->c->a.min[0], s->c->b.max[0] - s->c->b.min[0]);
+    const double shift = shift_of(s);
     enum zr_status status = refine(s, true, show != ZR_SHOW_DEVIATION, &b);
     if (status == ZR_OK && show != ZR_SHOW_DEVIATION) status = refine(s, false, true, &a);
     if (status != ZR_OK) return status;
@@ -168,6 +174,25 @@ static void print_mesh(struct zr_print *print, const struct showing *s, const st
     zr_print_end(print, '}');
 }
 
+/* Marks the regions by their numbers. `shift`: of the second model along x. */
+static void print_marks(struct zr_print *print, const struct showing *s, double shift)
+{
+    const struct zr_world_place middle = s->c->a.middle;
+    zr_print_begin(print, "marks", '[');
+    for (uint32_t i = 0; i < s->c->regions.count && i < MARKS_MOST; i++) {
+        const struct zr_region *region = &s->c->regions.at[i];
+        const double at[3] = {region->at.x + middle.x + (region->is_b ? shift : 0.0), region->at.y + middle.y,
+                              region->at.z + middle.z};
+        char text[NAME_SIZE];
+        snprintf(text, sizeof text, "%u", i + 1);
+        zr_print_begin(print, NULL, '{');
+        zr_print_doubles(print, "at", at, 3);
+        zr_print_string(print, "text", text);
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, ']');
+}
+
 static bool print_scene(const struct showing *s, const struct zr_compare_picture *picture, bool z_is_up,
                         struct zr_buffer *out)
 {
@@ -180,7 +205,12 @@ static bool print_scene(const struct showing *s, const struct zr_compare_picture
         zr_print_end(print, '}');
     }
     if (z_is_up) zr_print_string(print, "up", "z");
-    if (s->meshes[0].scalars) zr_print_bool(print, "colorBar", true);
+    if (s->meshes[0].scalars) {
+        zr_print_begin(print, "colorBar", '{');
+        zr_print_bool(print, "room", true);
+        zr_print_end(print, '}');
+    }
+    if (picture->show != ZR_SHOW_DEVIATION) print_marks(print, s, picture->show == ZR_SHOW_SIDE ? shift_of(s) : 0.0);
     zr_print_begin(print, "materials", '[');
     if (has_mesh(s, "common")) print_material(print, "common", "#d4d6d8");
     if (has_mesh(s, "onlyA")) print_material(print, "onlyA", "#f0a01e");

@@ -1,6 +1,7 @@
 /* compare_scene.h - request: a scene that shows where two models differ, drawn as any other one.
  *
  * difference: what both share is grey, what only the first one has amber, what only the second one has red.
+ *             Regions of change have their numbers (up to 24).
  * deviation:  the second one, coloured by its signed distance from the first one, with a colour bar.
  * side:       the first one, and the second one beside it along x, in the colours of `difference`.
  */

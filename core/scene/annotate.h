@@ -18,7 +18,7 @@ enum zr_annotation {
 };
 
 /* Below this side, pixels, nothing is annotated. */
-enum { ZR_ANNOTATE_SIDE = 200, ZR_DIMENSIONS_MAX = 64 };
+enum { ZR_ANNOTATE_SIDE = 200, ZR_DIMENSIONS_MAX = 64, ZR_PLACE_MARKS_MAX = 64 };
 
 /* A dimension between two places. */
 struct zr_dimension {
@@ -27,12 +27,23 @@ struct zr_dimension {
     const char *label; /* instead of the length, UTF-8; NULL: none */
 };
 
+/* A numbered place. */
+struct zr_place_mark {
+    zr_vec3 at;
+    const char *text; /* UTF-8 */
+};
+
+enum zr_bar_room { ZR_BAR_NO_ROOM, ZR_BAR_ROOM_RIGHT, ZR_BAR_ROOM_LEFT };
+
 struct zr_annotate {
     uint32_t words;    /* bit i: enum zr_annotation i */
     const char *title; /* NULL: names of the scene */
     uint32_t dimension_count;
     const struct zr_dimension *dimensions;
-    uint32_t label_letters; /* characters of the longest label of a part; 0: unknown, some are assumed */
+    uint32_t mark_count;
+    const struct zr_place_mark *marks;
+    enum zr_bar_room bar_room; /* fitted views leave room for a colour bar */
+    uint32_t label_letters;    /* characters of the longest label of a part; 0: unknown, some are assumed */
 };
 
 static inline bool zr_annotate_has(const struct zr_annotate *annotate, enum zr_annotation word)
@@ -42,7 +53,7 @@ static inline bool zr_annotate_has(const struct zr_annotate *annotate, enum zr_a
 
 static inline bool zr_annotate_is_on(const struct zr_annotate *annotate)
 {
-    return annotate->words != 0 || annotate->dimension_count > 0;
+    return annotate->words != 0 || annotate->dimension_count > 0 || annotate->mark_count > 0;
 }
 
 /* True if a window of these sides has marks. */

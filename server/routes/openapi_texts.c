@@ -263,6 +263,10 @@ static const char compare[] = ZR_SCHEMA({
                     "schema": {"enum": ["on", "off"]}
                 },
                 {
+                    "name": "rescale", "in": "query", "description": "on: the alignment may scale b.",
+                    "schema": {"enum": ["on", "off"]}
+                },
+                {
                     "name": "show", "in": "query",
                     "description": "Kind of a picture; parameters of /v1/render set its look and size.",
                     "schema": {"enum": ["none", "difference", "deviation", "side"]}

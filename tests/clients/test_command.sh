@@ -198,6 +198,16 @@ for ending in jpg webp; do
     check "a $ending is compared, too" 4 "$zraster" compare a.png lossy.$ending
     verdict "and is nearly the same" grep -qE 'SSIM 0\.9' "$said"
 done
+for ending in npy pfm; do
+    "$zraster" part.stl near.$ending -s 32 --channel depth && "$zraster" part.stl far.$ending -s 32 --channel depth --padding 0.2
+    check "equal numbers, .$ending" 0 "$zraster" compare near.$ending near.$ending
+    verdict "are equal" grep -q '^all 1024 pixels are equal$' "$said"
+    check "different numbers end with 4" 4 "$zraster" compare near.$ending far.$ending
+    verdict "with the RMS" grep -qE '^[0-9]+ of 1024 pixels differ \(.*; RMS ' "$said"
+done
+check "both formats have the same numbers" 0 "$zraster" compare near.npy near.pfm
+check "a tolerance of infinity passes over all" 0 "$zraster" compare near.npy far.npy --tolerance inf --json
+check "an array and a picture are refused" 2 "$zraster" compare near.npy a.png
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >corner.obj
 sed 's/^v 0 0 1/v 0 0 2/' corner.obj >taller.obj
 check "equal models" 0 "$zraster" compare corner.obj corner.obj
@@ -206,7 +216,15 @@ check "different models end with 4" 4 "$zraster" compare corner.obj taller.obj -
 verdict "with numbers" grep -q '^IoU 0.5' "$said"
 verdict "and a picture" [ "$(size_of_png models.png)" = 64x64 ]
 check "--json has all numbers" 4 "$zraster" compare corner.obj taller.obj --json
-verdict "of the regions" grep -q '"regions":\[{"in":"b","volume":0.1' "$said"
+verdict "of the regions" grep -q '"regions":\[{"mark":1,"in":"b","kind":"added","volume":0.1' "$said"
+
+# info --expect
+check "expected facts pass" 0 "$zraster" info corner.obj --expect '{"box": [1, 1, 1], "closed": true, "triangles": 4, "tolerance": 0.01, "volume": 0.16, "holes": []}'
+verdict "with a row for each" [ "$(grep -c '^pass  ' "$said")" = 4 ]
+check "others end with 4" 4 "$zraster" info corner.obj --expect '{"box": [1, 1, 2], "area": 2.366}' --json
+verdict "as JSON, too" grep -qxF '{"rows":[{"key":"box","pass":false,"expected":[1,1,2],"found":[1,1,1]},{"key":"area","pass":true,"expected":2.366,"found":2.3660254}],"pass":false}' "$said"
+check "unknown keys are refused" 2 "$zraster" info corner.obj --expect '{"size": 3}'
+check "and files that are missing" 2 "$zraster" info corner.obj --expect missing.json
 
 # drawing
 check "a technical drawing" 0 "$zraster" drawing corner.obj -o corner.svg --section y --date 2026-11-30

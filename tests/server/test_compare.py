@@ -40,6 +40,27 @@ class Compare(unittest.TestCase):
     def tearDownClass(cls):
         cls.daemon.stop()
 
+    def test_switches_leave_numbers_out(self):
+        parts = {"a": CUBE, "b": LONG}
+        everything = json.loads(self.daemon.compare("", parts)[2])
+        self.assertIn("deviation", everything)
+        self.assertEqual(everything["features"]["holes"], {"removed": [], "added": [], "moved": [], "changed": []})
+        less = json.loads(self.daemon.compare("?deviation=off&features=off", parts)[2])
+        self.assertNotIn("deviation", less)
+        self.assertNotIn("features", less)
+        self.assertEqual(less["volume"], everything["volume"])
+        self.assertFalse(less["same"])
+        self.assertTrue(json.loads(self.daemon.compare("?deviation=off", {"a": CUBE, "b": CUBE})[2])["same"])
+        self.assertEqual(self.daemon.compare("?features=no", parts)[0], 400)
+
+    def test_alignments_scale_if_asked(self):
+        small = {"a": LONG, "b": box((3, 0, 0), (0.5, 0.25, 0.25))}
+        found = json.loads(self.daemon.compare("?align=principal&rescale=on", small)[2])
+        self.assertTrue(found["same"])
+        self.assertAlmostEqual(found["alignment"]["scale"], 4, 9)
+        self.assertNotIn("scale", json.loads(self.daemon.compare("?align=principal", small)[2])["alignment"])
+        self.assertEqual(self.daemon.compare("?rescale=on", small)[0], 400)
+
     def test_numbers(self):
         """two parts give the numbers of both models"""
         status, kind, data = self.daemon.compare("", {"a": CUBE, "b": LONG})

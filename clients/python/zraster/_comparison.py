@@ -129,6 +129,7 @@ def compare(
     b: Any,
     *,
     align: Optional[str] = None,
+    rescale: bool = False,
     tolerance: Optional[float] = None,
     precision: Optional[str] = None,
     deviation: Optional[str] = None,
@@ -140,6 +141,7 @@ def compare(
 
     a, b: sources as for `render`, or Scenes
     align: motion of b before: "none" (default), "bounds", "principal" or "icp"
+    rescale: the alignment may scale b
     tolerance: largest distance of surfaces that are the same; default: a millionth of the size of a
     precision: "full" (default), or "quick": fewer rays and points
     deviation: "on" (default), or "off": without distances between the surfaces, which takes a third of the time
@@ -150,6 +152,6 @@ def compare(
     >>> comparison.iou, comparison.hausdorff, comparison["deviation"]["f1"]["value"]
     """
     used = given_or_shared(renderer)
-    given = {"align": align, "tolerance": tolerance, "precision": precision, "deviation": deviation, "features": features}
+    given = {"align": align, "rescale": "on" if rescale else None, "tolerance": tolerance, "precision": precision, "deviation": deviation, "features": features}
     query = {name: str(value) for name, value in given.items() if value is not None}
     return Comparison([_read("a", a, used), _read("b", b, used)], query, cancel)

@@ -146,6 +146,13 @@ const struct zr_json_field zr_scene_fields[] = {
                                  "items" : {"$ref" : "#/$defs/dimension"},
                                  "maxItems" : 64
                              })},
+    [ZR_SCENE_MARKS] = {"marks", zr_read_marks, 0, .object = &zr_json_object_mark, .otherwise = "[]",
+                        .text = "numbers or short texts at places, drawn over the picture",
+                        .schema = ZR_SCHEMA({
+                            "type" : "array",
+                            "items" : {"$ref" : "#/$defs/mark"},
+                            "maxItems" : 64
+                        })},
     [ZR_SCENE_RENDER] = {"render", read_render, 0, .otherwise = "true",
                          .text = "false: only facts, by the output info; nothing is drawn",
                          .schema = ZR_SCHEMA({"type" : "boolean"})},

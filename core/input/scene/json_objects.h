@@ -25,6 +25,7 @@
     ROW(rotate)                                                                                                        \
     ROW(colorBar)                                                                                                      \
     ROW(dimension)                                                                                                     \
+    ROW(mark)                                                                                                          \
     ROW(highlight)                                                                                                     \
     ROW(explode)                                                                                                       \
     ROW(csg)                                                                                                           \

@@ -77,6 +77,7 @@ enum zr_scene_key {
     ZR_SCENE_ANNOTATE,
     ZR_SCENE_TITLE,
     ZR_SCENE_DIMENSIONS,
+    ZR_SCENE_MARKS,
     ZR_SCENE_RENDER,
     ZR_SCENE_VISIBILITY,
     ZR_SCENE_FEATURES,
@@ -296,7 +297,7 @@ void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_
 zr_json_read_fn zr_read_picks;
 
 /* json_annotate.c: reads words, the title and dimensions into the view. */
-zr_json_read_fn zr_read_annotate, zr_read_title, zr_read_dimensions;
+zr_json_read_fn zr_read_annotate, zr_read_title, zr_read_dimensions, zr_read_marks;
 
 /* json_color_bar.c: reads the colour bar into the scene, and finds its mesh once there are meshes. */
 zr_json_read_fn zr_read_color_bar;

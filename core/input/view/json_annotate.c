@@ -1,4 +1,4 @@
-/* Reads the annotations of a picture: annotate, title and dimensions. */
+/* Reads the annotations of a picture: annotate, title, dimensions and marks. */
 #include "input/scene/json_objects.h"
 #include "input/scene/json_scene.h"
 #include "input/text/names.h"
@@ -66,5 +66,33 @@ bool zr_read_dimensions(struct zr_json *json, const struct zr_json_path *path, v
         is_good = read_dimension(json, ZR_JSON_ITEM(path, number), &at[number]) && is_good;
     annotate->dimensions = at;
     annotate->dimension_count = at ? (uint32_t)count : 0;
+    return is_good && at;
+}
+
+#define AT(member) offsetof(struct zr_place_mark, member)
+static const struct zr_json_field mark_fields[] = {
+    {"at", zr_json_place, AT(at), .required = true, .unit = "scene units", .text = "place"},
+    {"text", zr_json_string, AT(text), .required = true, .text = "number or short text beside it"}};
+#undef AT
+const struct zr_json_object zr_json_object_mark = ZR_JSON_OBJECT_OF("mark", mark_fields);
+
+bool zr_read_marks(struct zr_json *json, const struct zr_json_path *path, void *out)
+{
+    struct zr_parsed_scene *root = out;
+    struct zr_annotate *annotate = &root->scene->views[0].annotate;
+    size_t count = 0, number = 0;
+    uint64_t keys;
+    bool is_good = true;
+    annotate->mark_count = 0;
+    if (!zr_json_count(json, path, &count)) return false;
+    if (count > ZR_PLACE_MARKS_MAX) {
+        zr_json_skip(json);
+        return zr_json_fault(json, path, "%zu marks; up to %d are allowed", count, ZR_PLACE_MARKS_MAX);
+    }
+    struct zr_place_mark *at = zr_arena_zero(json->arena, count ? count : 1, sizeof *at);
+    for (zr_json_enter(json, '['); at && zr_json_item(json); number++)
+        is_good = zr_json_fields(json, ZR_JSON_ITEM(path, number), &zr_json_object_mark, &at[number], &keys) && is_good;
+    annotate->marks = at;
+    annotate->mark_count = at ? (uint32_t)count : 0;
     return is_good && at;
 }

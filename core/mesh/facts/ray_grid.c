@@ -59,6 +59,7 @@ void zr_ray_grid_divide(struct zr_ray_grid *grid, uint32_t rays)
     if (grid->rows < least) grid->rows = least;
     grid->width = 2.0 * grid->half[0] / (double)grid->columns;
     grid->height = 2.0 * grid->half[1] / (double)grid->rows;
+    grid->rows_per_unit = (double)grid->rows / (2.0 * grid->half[1]);
 }
 
 /* ---- sorting ---- */

@@ -27,6 +27,7 @@ struct zr_ray_grid {
     double steps;   /* of heights, per unit */
     uint32_t columns, rows;
     double width, height; /* of a cell */
+    double rows_per_unit;
 };
 
 /* A triangle in the frame of a grid. Its plane has the height at[0].d + du u + dv v at (u, v) from at[0]. */
@@ -89,7 +90,8 @@ static inline double zr_ray_row_place(const struct zr_ray_grid *grid, uint32_t r
 /* Returns the first row that does not lie below `v`. */
 static inline uint32_t zr_ray_row_from(const struct zr_ray_grid *grid, double v)
 {
-    uint32_t row = zr_ray_cells_before(v, grid->half[1], grid->height, grid->rows);
+    const double near = (v + grid->half[1]) * grid->rows_per_unit;
+    uint32_t row = near <= 0.0 ? 0 : near >= (double)grid->rows ? grid->rows : (uint32_t)near;
     while (row > 0 && zr_ray_row_place(grid, row - 1) >= v)
         row--;
     while (row < grid->rows && zr_ray_row_place(grid, row) < v)

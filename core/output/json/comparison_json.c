@@ -203,7 +203,9 @@ static void print_region(struct zr_print *print, const struct zr_comparison *c, 
 {
     const struct zr_region *region = &c->regions.at[number];
     zr_print_begin(print, NULL, '{');
+    zr_print_count(print, "mark", number + 1);
     zr_print_string(print, "in", region->is_b ? "b" : "a");
+    zr_print_string(print, "kind", region->is_b ? "added" : "removed");
     zr_print_double(print, "volume", region->volume);
     print_box(print, c, region->min, region->max);
     print_place(print, "center", c, (struct zr_world_place){region->center[0], region->center[1], region->center[2]});
@@ -303,6 +305,7 @@ static void print_alignment(struct zr_print *print, const struct zr_comparison *
     zr_print_begin(print, "alignment", '{');
     zr_print_string(print, "align", zr_align_words[c->align]);
     print_motion(print, "matrix", c, &own->motion);
+    if (own->scale > 0.0) zr_print_double(print, "scale", own->scale);
     if (!own->is_omitted) zr_print_double(print, "rmsBefore", own->before);
     if (!own->is_omitted) zr_print_double(print, "rmsAfter", own->after);
     if (c->align == ZR_ALIGN_PRINCIPAL) zr_print_bool(print, "mirrored", own->is_mirrored);

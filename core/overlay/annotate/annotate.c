@@ -11,6 +11,7 @@
 #include "overlay/annotate/length_text.h"
 #include "overlay/annotate/part_labels.h"
 #include "overlay/annotate/place_dimensions.h"
+#include "overlay/annotate/place_marks.h"
 #include "overlay/color_bar.h"
 #include "scene/camera/mesh_up.h"
 
@@ -110,6 +111,7 @@ static void place_all(struct zr_layout *l, struct zr_annotations *made)
     if (zr_annotate_has(annotate, ZR_ANNOTATE_BOX)) zr_box_dimensions_place(l, unit);
     zr_place_dimensions_place(l, unit);
     if (zr_annotate_has(annotate, ZR_ANNOTATE_HOLES)) zr_hole_notes_place(l, unit);
+    zr_place_marks_place(l);
     if (zr_annotate_has(annotate, ZR_ANNOTATE_LABELS)) zr_part_labels_place(l, &made->numbered, &made->numbered_count);
 }
 
@@ -131,6 +133,8 @@ enum zr_status zr_annotations_make(const struct zr_run *run, const struct zr_sce
                 zr_layout_leave_out(l, words[i], "the window has a side below 200 pixels");
         if (frame->view->annotate.dimension_count > 0)
             zr_layout_leave_out(l, "dimensions", "the window has a side below 200 pixels");
+        if (frame->view->annotate.mark_count > 0)
+            zr_layout_leave_out(l, "marks", "the window has a side below 200 pixels");
     }
     made->left_out = l->left_out;
     made->left_out_count = l->left_out_count;

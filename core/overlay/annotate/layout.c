@@ -5,6 +5,18 @@
 
 #include "base/cancel.h"
 
+zr_dvec3 zr_layout_world(const struct zr_layout *l, zr_vec3 place)
+{
+    const zr_dvec3 p = zr_dvec3_of(place);
+    const double *origin = l->scene->adds_origin ? NULL : l->scene->origin;
+    if (!l->scene->file.up) return p;
+    const zr_dvec3 near = origin ? (zr_dvec3){p.x - origin[0], p.y - origin[1], p.z - origin[2]} : p;
+    zr_dvec3 sum = {0.0, 0.0, 0.0};
+    sum = zr_dvec3_add_scaled(sum, l->axes[0], near.x);
+    sum = zr_dvec3_add_scaled(sum, l->axes[1], near.y);
+    return zr_dvec3_add_scaled(sum, l->axes[2], near.z);
+}
+
 bool zr_layout_project(const struct zr_layout *layout, zr_dvec3 place, struct zr_point *out)
 {
     const double from[4] = {place.x, place.y, place.z, 1.0};

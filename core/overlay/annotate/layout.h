@@ -54,6 +54,9 @@ struct zr_layout {
     struct zr_left_out left_out[ZR_LEFT_OUT_MAX];
 };
 
+/* Moves a place of the file to the world. A scene in JSON has its origin subtracted already. */
+zr_dvec3 zr_layout_world(const struct zr_layout *layout, zr_vec3 place);
+
 /* Projects a place of the world. False: it is not in front of the eye. */
 bool zr_layout_project(const struct zr_layout *layout, zr_dvec3 place, struct zr_point *out);
 

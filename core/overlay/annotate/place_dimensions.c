@@ -19,23 +19,10 @@ struct given {
     bool is_seen, is_drawn;
 };
 
-/* Moves a place of the file to the world. A scene in JSON has its origin subtracted already. */
-static zr_dvec3 to_world(const struct zr_layout *l, zr_vec3 place)
-{
-    const zr_dvec3 p = zr_dvec3_of(place);
-    const double *origin = l->scene->adds_origin ? NULL : l->scene->origin;
-    if (!l->scene->file.up) return p;
-    const zr_dvec3 near = origin ? (zr_dvec3){p.x - origin[0], p.y - origin[1], p.z - origin[2]} : p;
-    zr_dvec3 sum = {0.0, 0.0, 0.0};
-    sum = zr_dvec3_add_scaled(sum, l->axes[0], near.x);
-    sum = zr_dvec3_add_scaled(sum, l->axes[1], near.y);
-    return zr_dvec3_add_scaled(sum, l->axes[2], near.z);
-}
-
 static struct given measure(const struct zr_layout *l, uint32_t number)
 {
     const struct zr_dimension *d = &l->frame->view->annotate.dimensions[number];
-    const zr_dvec3 from = to_world(l, d->from), to = to_world(l, d->to), way = zr_dvec3_sub(to, from);
+    const zr_dvec3 from = zr_layout_world(l, d->from), to = zr_layout_world(l, d->to), way = zr_dvec3_sub(to, from);
     struct given given = {.number = number, .length = sqrt(zr_dvec3_dot(way, way))};
     zr_dvec3 foot = to;
     if (d->along >= 0) {

@@ -5,7 +5,7 @@
 /* Room in heights of capitals. */
 static const double title_room = 4.6, corner_room = 4.6, edge_room = 1.0, offset = 2.6, line_room = 1.8,
                     number_room = 3.2, letter_room = 0.8, leader_room = 3.0, triad_width = 7.7, scale_height = 4.0,
-                    note_room = 3.0;
+                     bar_room = 9.0, note_room = 3.0;
 
 /* Offset of dimensions as a share of the shorter side, at least; largest room for labels as a share of the width. */
 static const double offset_share = 0.055, label_share = 0.36, most_share = 0.36;
@@ -21,12 +21,13 @@ double zr_margin_letters(double width, double height)
 
 bool zr_view_has_room(const struct zr_view *view)
 {
-    return zr_annotate_fits(&view->annotate, view->width, view->height);
+    return view->annotate.bar_room != ZR_BAR_NO_ROOM || zr_annotate_fits(&view->annotate, view->width, view->height);
 }
 
 bool zr_view_fits_corners(const struct zr_view *view)
 {
-    return zr_view_has_room(view) && zr_annotate_has(&view->annotate, ZR_ANNOTATE_BOX);
+    return zr_annotate_fits(&view->annotate, view->width, view->height) &&
+           zr_annotate_has(&view->annotate, ZR_ANNOTATE_BOX);
 }
 
 static double larger_share(double padding, double room, double side)
@@ -43,8 +44,11 @@ struct zr_margins zr_view_margins(const struct zr_view *view)
     const bool has_triad = zr_annotate_has(annotate, ZR_ANNOTATE_TRIAD),
                has_scale = zr_annotate_has(annotate, ZR_ANNOTATE_SCALE);
     const double lines = has_lines ? fmax(offset * h, offset_share * fmin(width, height)) : 0.0;
-    const struct zr_margins plain = {padding, padding, padding, padding};
-    if (!zr_view_has_room(view)) return plain;
+    const double bar_left = annotate->bar_room == ZR_BAR_ROOM_LEFT ? bar_room * h : 0.0,
+                 bar_right = annotate->bar_room == ZR_BAR_ROOM_RIGHT ? bar_room * h : 0.0;
+    const struct zr_margins plain = {larger_share(padding, bar_left, width), larger_share(padding, bar_right, width),
+                                     padding, padding};
+    if (!zr_annotate_fits(annotate, view->width, view->height)) return plain;
     double left = edge_room * h + lines + (has_lines ? number_room * h : 0.0), right = left;
     double top = edge_room * h + lines + (has_lines ? line_room * h : 0.0), bottom = top;
     if (zr_annotate_has(annotate, ZR_ANNOTATE_TITLE)) top = fmax(top, title_room * h);
@@ -61,6 +65,8 @@ struct zr_margins zr_view_margins(const struct zr_view *view)
         const uint32_t letters = annotate->label_letters ? annotate->label_letters : LETTERS_ASSUMED;
         right += fmin((letter_room * (double)letters + leader_room) * h, label_share * width);
     }
+    left += bar_left;
+    right += bar_right;
     const struct zr_margins all = {larger_share(padding, left, width), larger_share(padding, right, width),
                                    larger_share(padding, top, height), larger_share(padding, bottom, height)};
     return all;

@@ -49,7 +49,7 @@ static struct zr_alignment align(const struct zr_mesh *a, const struct zr_mesh *
     struct zr_alignment out;
     if (degrees != 0) zr_align_move(&second, &motion, NULL);
     assert_int_equal(zr_surface_tree_make(&run, &first, &tree), ZR_OK);
-    assert_int_equal(zr_align_find(&run, &tree, &second, kind, &out), ZR_OK);
+    assert_int_equal(zr_align_find(&run, &tree, &second, kind, false, &out), ZR_OK);
     assert_false(out.is_omitted);
     zr_align_move(&second, &out.motion, NULL);
     *distance = 0;
@@ -69,6 +69,32 @@ TEST_AROUND(a_turned_and_moved_part_is_found, open_arena, close_arena)
     assert_near(out.after, 0, 1e-13);
     assert_near(distance, 0, 1e-13);
     assert_true(out.ambiguous_count == 0 && !out.is_mirrored);
+}
+
+TEST_AROUND(a_scaled_part_is_found, open_arena, close_arena)
+{
+    const struct model part = bracket(0.75), changed = bracket(0.8);
+    for (int i = 0; i < 4; i++) {
+        const struct zr_run run = {.arena = &arena};
+        const struct zr_world_place zero = {0, 0, 0};
+        const enum zr_align kind = i == 0 ? ZR_ALIGN_ICP : ZR_ALIGN_PRINCIPAL;
+        const struct zr_solid first = model_solid(&run, &part.mesh, &zero);
+        struct zr_solid second = model_solid(&run, i < 3 ? &part.mesh : &changed.mesh, &zero);
+        const double area = second.area;
+        const struct zr_rigid motion = motion_of(i == 0 ? 0 : 77), size = zr_rigid_scaling(zero, 25.4);
+        struct zr_surface_tree tree;
+        struct zr_alignment out;
+        if (i > 0) zr_align_move(&second, &motion, NULL);
+        zr_align_move(&second, &size, NULL);
+        assert_near(second.area, 25.4 * 25.4 * area, 1e-9 * second.area);
+        const struct zr_rigid before = zr_align_size(&first, &second, kind, NULL);
+        assert_near(zr_rigid_scale(&before) * 25.4, 1, i < 3 ? 1e-12 : 0.02);
+        zr_align_move(&second, &before, NULL);
+        assert_int_equal(zr_surface_tree_make(&run, &first, &tree), ZR_OK);
+        assert_int_equal(zr_align_find(&run, &tree, &second, kind, true, &out), ZR_OK);
+        if (i > 0) assert_near(zr_rigid_scale(&before) * zr_rigid_scale(&out.motion) * 25.4, 1, i < 3 ? 1e-12 : 1e-3);
+        if (i == 1 || i == 2) assert_near(out.after, 0, 1e-12);
+    }
 }
 
 TEST_AROUND(a_changed_feature_moves_nothing, open_arena, close_arena)
@@ -92,7 +118,7 @@ TEST_AROUND(icp_finds_a_part_that_is_nearly_in_place, open_arena, close_arena)
     struct zr_alignment out;
     zr_align_move(&second, &motion, NULL);
     assert_int_equal(zr_surface_tree_make(&run, &first, &tree), ZR_OK);
-    assert_int_equal(zr_align_find(&run, &tree, &second, ZR_ALIGN_ICP, &out), ZR_OK);
+    assert_int_equal(zr_align_find(&run, &tree, &second, ZR_ALIGN_ICP, false, &out), ZR_OK);
     assert_near(out.after, 0, 1e-13);
 }
 

@@ -307,9 +307,32 @@ TEST(lengths_have_four_digits_that_count)
     assert_true(zr_length_round(1, &digit) == 1.0 && digit == 1);
 }
 
+TEST(marks_are_in_the_window_and_apart)
+{
+    static const char marks[] =
+        "\"marks\": [{\"at\": [0, 0, 0], \"text\": \"1\"}, {\"at\": [0, 0, 0], \"text\": \"22\"}, "
+        "{\"at\": [0.1, 0, 0], \"text\": \"3 H7\"}]";
+    for (int m = 0; m < MODELS; m++)
+        for (size_t s = 0; s < sizeof sides / sizeof *sides; s++) {
+            struct reading *reading = read_marked(models[m], presets[0], sides[s], marks);
+            const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+            uint32_t texts = 0;
+            assert_non_null(frame->annotations);
+            assert_apart(&frame->annotations->marks, sides[s], m, 0);
+            for (uint32_t i = 0; i < frame->annotations->marks.count; i++)
+                texts += frame->annotations->marks.at[i].kind == ZR_MARK_TEXT;
+            assert_int_equal(texts + frame->annotations->left_out_count, 3);
+            assert_true(texts >= 2);
+            reading_free(reading);
+        }
+}
+
 TEST(wrong_words_and_dimensions_are_refused)
 {
-    static const char *const wrong[] = {"\"annotate\": [\"boxes\"]", "\"annotate\": \"box\"", "\"title\": 3",
+    static const char *const wrong[] = {"\"annotate\": [\"boxes\"]",
+                                        "\"annotate\": \"box\"",
+                                        "\"title\": 3",
+                                        "\"marks\": [{\"at\": [0, 0, 0]}]",
                                         "\"dimensions\": [{\"from\": [0, 0, 0]}]",
                                         "\"dimensions\": [{\"from\": [0, 0, 0], \"to\": [0, 0, 1], \"along\": \"w\"}]"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
