@@ -25,6 +25,7 @@
     ROW(rotate)                                                                                                        \
     ROW(colorBar)                                                                                                      \
     ROW(dimension)                                                                                                     \
+    ROW(dimensionEnd)                                                                                                  \
     ROW(highlight)                                                                                                     \
     ROW(explode)                                                                                                       \
     ROW(csg)                                                                                                           \
