@@ -100,7 +100,7 @@ static void check_layers(const struct zr_view *view, struct zr_error *error)
 }
 
 /* Checks the pixels of ends of dimensions. */
-static void check_dimensions(const struct zr_view *view, struct zr_error *error)
+static void check_dimensions(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     static const char *const keys[] = {"from", "to", "at"};
     char pointer[48];
@@ -108,6 +108,9 @@ static void check_dimensions(const struct zr_view *view, struct zr_error *error)
         const struct zr_dimension *d = &view->annotate.dimensions[i];
         const struct zr_dimension_end *const ends[] = {&d->from, &d->to, &d->at};
         for (int k = 0; k < 3; k++) {
+            if (ends[k]->is_pick && scene->algorithm == ZR_ALGORITHM_PAINTER)
+                zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
+                             "painter keeps no fragments, which picks need; the other algorithms do");
             if (!ends[k]->is_pick || (ends[k]->pixel[0] < view->width && ends[k]->pixel[1] < view->height)) continue;
             snprintf(pointer, sizeof pointer, "/dimensions/%" PRIu32 "/%s/pick", i, keys[k]);
             zr_error_add(error, ZR_BAD_SCENE, pointer,
@@ -337,7 +340,7 @@ static void check_options(const struct zr_scene *scene, const struct zr_view *vi
     if (is_painter) check_layers(view, error);
     if (scene->has_features && !zr_view_wants(view, ZR_CHANNEL_INFO))
         zr_error_add(error, ZR_BAD_SCENE, "/features", "no output shows them: add the channel info");
-    check_dimensions(view, error);
+    check_dimensions(scene, view, error);
     if (scene->distance_count > 0 && !zr_view_wants(view, ZR_CHANNEL_INFO))
         zr_error_add(error, ZR_BAD_SCENE, "/distances", "no output shows them: add the channel info");
     if (view->picks.count > 0) check_picks(scene, view, error);
