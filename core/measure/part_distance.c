@@ -10,7 +10,7 @@
 #include "measure/surface_tree.h"
 #include "scene/parts/part_list.h"
 
-enum { STACK = 256, STEPS_PER_CANCEL_CHECK = 1 << 12 };
+enum { BELOW_MAX = 4096, STACK = 256, STEPS_PER_CANCEL_CHECK = 1 << 12 };
 
 /* Share of the diagonal by which an edge leads through a triangle at least. */
 static const double through = 1e-9;
@@ -243,9 +243,35 @@ static bool is_closed(const struct zr_solid *solid, const struct zr_cancel *canc
     return sum == 0;
 }
 
+/* Looks for a place just inside of a part that lies in the other one, too: parts whose faces coincide cross without
+ * an edge that leads through a face. */
+static void look_below(struct pair *pair, int k)
+{
+    const struct zr_solid *solid = pair->trees[k]->solid;
+    const double below = 1e3 * pair->least;
+    for (uint32_t t = 0; t < solid->count && t < BELOW_MAX && !pair->crosses && !zr_is_cancelled(pair->cancel); t++) {
+        place p[3];
+        zr_solid_places(solid, t, p);
+        const place n = zr_surface_normal(solid, t),
+                    middle = {(p[0].x + p[1].x + p[2].x) / 3.0, (p[0].y + p[1].y + p[2].y) / 3.0,
+                              (p[0].z + p[1].z + p[2].z) / 3.0};
+        const place at = along(middle, n, -below);
+        if (zr_surface_tree_winding(pair->trees[k], at, &pair->steps) == 0 ||
+            zr_surface_tree_winding(pair->trees[!k], at, &pair->steps) == 0)
+            continue;
+        pair->crosses = true;
+        pair->square = 0.0;
+        pair->at[0] = pair->at[1] = middle;
+    }
+}
+
 /* A part inside of another one crosses it. */
 static void look_inside(struct pair *pair)
 {
+    const bool is_touching = pair->square <= pair->least * pair->least;
+    if (is_touching && is_closed(pair->trees[0]->solid, pair->cancel) && is_closed(pair->trees[1]->solid, pair->cancel))
+        for (int k = 0; k < 2 && !pair->crosses; k++)
+            look_below(pair, k);
     for (int k = 0; k < 2 && !pair->crosses; k++) {
         const struct zr_solid *inner = pair->trees[k]->solid;
         if (!is_closed(pair->trees[!k]->solid, pair->cancel)) continue;

@@ -147,6 +147,7 @@ static void put_picture(const struct mcp_job *job, const struct mcp_picture *pic
         put_item(head, "up", item);
     else if (job->is_bare && !job->own[MCP_OWN_UP].at)
         put(head, "up", job->model.z_is_up ? "\"z\"" : "\"y\"");
+    if (picture->picks) put(head, "picks", picture->picks);
     put_item(head, "sections", mcp_job_argument(job, "sections"));
     cJSON_ArrayForEach(item, mcp_job_argument(job, "parts")) put_item(head, item->string, item);
 }

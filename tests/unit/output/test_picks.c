@@ -187,7 +187,8 @@ TEST(each_number_of_threads_gives_the_same_bytes)
     "{\"name\": "                                                                                                      \
     "\"over\", \"mesh\": \"ball\", \"translation\": [0, 0, 3.5]}, {\"name\": \"within\", \"mesh\": \"ball\", "         \
     "\"scale\": [0.3, "                                                                                                \
-    "0.3, 0.3]}, {\"name\": \"corner\", \"mesh\": \"box\", \"translation\": [5, 6, 14]}]"
+    "0.3, 0.3]}, {\"name\": \"same\", \"mesh\": \"box\"}, {\"name\": \"half\", \"mesh\": \"box\", "                    \
+    "\"translation\": [1, 0, 0]}, {\"name\": \"corner\", \"mesh\": \"box\", \"translation\": [5, 6, 14]}]"
 
 TEST(distances_of_parts_are_those_of_their_surfaces)
 {
@@ -195,8 +196,8 @@ TEST(distances_of_parts_are_those_of_their_surfaces)
         const char *other;
         double distance;
         bool crosses;
-    } cases[] = {{"beside", 1, false}, {"across", 0, true}, {"on", 0, false},
-                 {"over", 1.5, false}, {"within", 0, true}, {"corner", 13, false}}; /* 3, 4 and 12 */
+    } cases[] = {{"beside", 1, false}, {"across", 0, true},   {"on", 0, false},  {"over", 1.5, false},
+                 {"within", 0, true},  {"corner", 13, false}, {"same", 0, true}, {"half", 0, true}}; /* 3, 4 and 12 */
     char rest[2048];
     size_t used = (size_t)snprintf(rest, sizeof rest, BOXES ", \"distances\": [");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
