@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "measure/part_distance.h"
 #include "scene/output.h"
 #include "scene/picture.h"
 
@@ -40,6 +41,17 @@ static void keep_parts(struct zr_arena *arena, struct zr_part_list *list)
     for (uint32_t i = 0; parts && i < list->count; i++)
         parts[i].name = copy_text(arena, parts[i].name);
     list->at = parts;
+}
+
+/* Copies the distances with the names of their parts. */
+static void keep_distances(struct zr_arena *arena, struct zr_frame *frame)
+{
+    struct zr_part_distance *kept =
+        zr_arena_copy(arena, frame->distances, frame->distance_count * sizeof *kept);
+    for (uint32_t i = 0; kept && i < frame->distance_count; i++)
+        for (int k = 0; k < 2; k++)
+            kept[i].parts[k] = copy_text(arena, kept[i].parts[k]);
+    frame->distances = kept;
 }
 
 /* Copies the names of the fragments' parts; the fragments stay in place. */
@@ -81,6 +93,7 @@ struct zr_encode_input *zr_encode_input_make(struct zr_arena *arena, const struc
     made->frame.view = &made->scene.views[0];
     keep_parts(arena, &made->frame.parts.list);
     keep_fragments(arena, &made->frame.fragments);
+    if (frame->distances) keep_distances(arena, &made->frame);
     if (frame->base) {
         made->base.first_face_id = frame->base->first_face_id;
         made->base.clamped_depths = frame->base->clamped_depths;

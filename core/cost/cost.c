@@ -57,6 +57,8 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         if (has_info && triangles >= ZR_OVERLAP_FACES_LEAST) counts[ZR_COST_INFO] = 1.0;
         if (has_info) counts[ZR_COST_FACT] += scene->csg ? 2.0 * triangles : triangles;
         if (has_info && finds_features) counts[ZR_COST_FEATURE] += triangles;
+        if (has_info && scene->distance_count > 0) counts[ZR_COST_FACT] += 8.0 * triangles;
+        if (zr_view_wants(&scene->views[0], ZR_CHANNEL_WALL)) counts[ZR_COST_FACT] += 2.0 * triangles;
         if (has_info) counts[ZR_COST_PART] += zr_mesh_part_count(mesh);
         if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */
             counts[ZR_COST_SECTION_CORNER] +=
@@ -73,7 +75,8 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
 /* Cost per pixel of a computed data channel, relative to POSITION. */
 static const double CHANNEL_TIMES[ZR_CHANNEL_COUNT] = {
     [ZR_CHANNEL_DISTANCE] = 1.0, [ZR_CHANNEL_POSITION] = 1.0,     [ZR_CHANNEL_TEXCOORD] = 1.0,
-    [ZR_CHANNEL_NORMALS] = 0.4,  [ZR_CHANNEL_BARYCENTRICS] = 4.0, [ZR_CHANNEL_FLOW] = 4.0};
+    [ZR_CHANNEL_NORMALS] = 0.4,  [ZR_CHANNEL_BARYCENTRICS] = 4.0, [ZR_CHANNEL_FLOW] = 4.0,
+    [ZR_CHANNEL_WALL] = 60.0};
 
 /* Kinds of cost per pixel of files, beside that of their words. */
 enum { ZR_COST_NONE = ZR_COST_KINDS };

@@ -356,6 +356,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
         if (status != ZR_OK) return status;
     }
     zr_picks_print(print, frame);
+    zr_distances_print(print, frame);
     zr_annotations_print(print, frame->annotations);
     if (patches && face_count <= ZR_INFO_FACES_MAX) print_faces(print, patches, face_count, first);
     zr_print_begin(print, "warnings", '[');

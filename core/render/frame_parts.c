@@ -148,7 +148,7 @@ static enum zr_status find_features(const struct zr_run *run, const struct zr_sc
                                     struct zr_known_parts *parts)
 {
     const struct zr_view *view = &scene->views[0];
-    if (!scene->has_features && view->picks.count == 0 && !zr_annotate_has(&view->annotate, ZR_ANNOTATE_HOLES))
+    if (!scene->has_features && view->picks.count == 0 && !zr_annotate_needs_features(&view->annotate))
         return ZR_OK;
     struct zr_part_features *features = zr_arena_alloc(run->arena, parts->list.count, sizeof *features);
     parts->features = features;

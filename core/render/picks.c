@@ -178,9 +178,8 @@ static void find_eye(struct picking *p)
 }
 
 enum zr_status zr_picks_find(const struct zr_run *run, const struct zr_scene *scene, const struct zr_remap *remap,
-                             struct zr_frame *frame)
+                             const struct zr_pick_pixels *pixels, const struct zr_frame *frame, struct zr_picks *out)
 {
-    const struct zr_pick_pixels *pixels = &frame->view->picks;
     const struct zr_run inner = zr_run_in(run, run->scratch);
     struct picking p = {.run = run, .scene = scene, .frame = frame};
     struct zr_pick *at = zr_arena_zero(run->arena, pixels->count, sizeof *at);
@@ -196,6 +195,22 @@ enum zr_status zr_picks_find(const struct zr_run *run, const struct zr_scene *sc
         if (has_ray && pixel.x < frame->width && pixel.y < frame->height) status = pick(&p, pixel.x, pixel.y, &at[i]);
         if (zr_is_cancelled(run->cancel)) status = ZR_CANCELLED;
     }
-    frame->picks = (struct zr_picks){pixels->count, at};
+    *out = (struct zr_picks){pixels->count, at};
     return status;
+}
+
+enum zr_status zr_pick_ends_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
+{
+    const struct zr_annotate *annotate = &frame->view->annotate;
+    uint32_t(*pixels)[2] = zr_arena_alloc(run->scratch, 3 * (size_t)annotate->dimension_count + 1, sizeof *pixels);
+    uint32_t count = 0;
+    if (!pixels) return ZR_NO_MEMORY;
+    for (uint32_t i = 0; i < annotate->dimension_count; i++) {
+        const struct zr_dimension *d = &annotate->dimensions[i];
+        const struct zr_dimension_end *const ends[] = {&d->from, &d->to, &d->at};
+        for (int k = 0; k < 3; k++)
+            if (ends[k]->is_pick) memcpy(pixels[count++], ends[k]->pixel, sizeof *pixels);
+    }
+    const struct zr_pick_pixels list = {count, (const uint32_t(*)[2])pixels};
+    return count > 0 ? zr_picks_find(run, scene, NULL, &list, frame, &frame->ends) : ZR_OK;
 }

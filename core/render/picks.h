@@ -16,10 +16,12 @@
 /* Surfaces listed behind a pick. */
 enum { ZR_PICK_BEHIND_MAX = 64 };
 
-/* Finds the surfaces at the pixels of the view's picks, with the ids of the drawn scene. Results lie in `arena`, the
- * rest in `scratch`. `remap`: of a lens, whose pinhole picture the frame is; NULL: none. The frame has its windowDepth
+/* Finds the surfaces at pixels, with the ids of the drawn scene. Results lie in `arena`, the rest in `scratch`. `remap`: of a lens, whose pinhole picture the frame is; NULL: none. The frame has its windowDepth
  * and faceId. Fails with ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL. */
 enum zr_status zr_picks_find(const struct zr_run *run, const struct zr_scene *scene, const struct zr_remap *remap,
-                             struct zr_frame *frame);
+                             const struct zr_pick_pixels *pixels, const struct zr_frame *frame, struct zr_picks *out);
+
+/* Finds the ends of dimensions that are pixels: frame->ends. Fails likewise. */
+enum zr_status zr_pick_ends_find(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame);
 
 #endif

@@ -8,6 +8,7 @@
 #include "base/memory_error.h"
 #include "base/run.h"
 #include "measure/combined.h"
+#include "measure/part_distance.h"
 #include "overlay/annotate/annotate.h"
 #include "overlay/color_bar.h"
 #include "raster/textbook/algorithms.h"
@@ -25,6 +26,7 @@
 #include "render/section_pass.h"
 #include "render/stage.h"
 #include "render/trace.h"
+#include "render/wall_channel.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/output.h"
 #include "scene/scene.h"
@@ -89,6 +91,11 @@ static enum zr_status make_lines(const struct zr_run *run, const struct zr_scene
     return zr_mesh_lines_keep(run, shown, frame);
 }
 
+static enum zr_status draw_wall(const struct zr_run *run, const struct zr_scene *scene, struct zr_frame *frame)
+{
+    return zr_wall_channel_draw(run, scene, frame, frame->channels[ZR_CHANNEL_WALL]);
+}
+
 /* An optional pass of a frame. Masks and the lines of a file stay in `arena`; passes that write pixels of the frame
  * work in `scratch` alone, whose memory the next pass uses again. */
 struct optional_pass {
@@ -103,6 +110,7 @@ static enum zr_status draw_frame(const struct zr_run *run, const struct zr_scene
         {!has_picture, false, draw_channels},
         {has_picture, false, draw_picture_and_channels},
         {zr_layer_channels_are_wanted(frame), false, zr_layer_channels_draw},
+        {frame->channels[ZR_CHANNEL_WALL] != NULL, false, draw_wall},
         {zr_view_has_masks(frame->view), true, zr_instance_masks_find},
         {zr_view_encodes(frame->view, ZR_ENCODING_SVG), true, make_lines},
     };
@@ -144,6 +152,8 @@ static enum zr_status draw_overlay(const struct zr_run *run, const struct zr_sce
                                    struct zr_frame *frame)
 {
     enum zr_status status = ZR_OK;
+    if (zr_view_annotates(frame->view) && frame->view->lens.model == ZR_LENS_NONE)
+        STAGE(zr_pick_ends_find(run, scene, frame));
     if (zr_view_notes_holes(frame->view)) STAGE(zr_frame_features_find(run, whole, frame));
     if (scene->color_bar.is_on) zr_color_bar_draw(scene, frame);
     if (zr_view_wants(frame->view, ZR_CHANNEL_COLOR))
@@ -164,7 +174,7 @@ static enum zr_status draw(const struct zr_run *run, const struct zr_scene *scen
     STAGE(draw_frame(run, drawn, frame));
     STAGE(draw_overlay(run, scene, drawn, frame));
     if (zr_view_wants(frame->view, ZR_CHANNEL_FRAGMENTS)) STAGE(list_fragments(run, drawn, frame));
-    if (zr_view_picks(frame->view)) STAGE(zr_picks_find(run, drawn, NULL, frame));
+    if (zr_view_picks(frame->view)) STAGE(zr_picks_find(run, drawn, NULL, &frame->view->picks, frame, &frame->picks));
     if (frame->sections) STAGE(zr_render_sections_restore(run->arena, run->cancel, frame));
     if (zr_view_wants(frame->view, ZR_CHANNEL_TRACE)) STAGE(zr_trace_make(run, scene, frame));
     return status;
@@ -188,7 +198,7 @@ static enum zr_status draw_through_lens(const struct zr_run *run, const struct z
     STAGE(zr_frame_make(run->scratch, &drawing.resolved, &pinhole));
     STAGE(draw_frame(&inner, &drawing.scene, &pinhole));
     STAGE(zr_lens_list_fragments(run, &drawing, &remap, &pinhole));
-    if (zr_view_picks(pinhole.view)) STAGE(zr_picks_find(run, &drawing.scene, &remap, &pinhole));
+    if (zr_view_picks(pinhole.view)) STAGE(zr_picks_find(run, &drawing.scene, &remap, &pinhole.view->picks, &pinhole, &pinhole.picks));
     STAGE(zr_render_sections_restore(run->arena, run->cancel, &pinhole));
     STAGE(zr_lens_take(run, scene, &remap, &pinhole, frame));
     if (pinhole.masks) STAGE(zr_lens_masks_take(run, &remap, pinhole.masks, frame));
@@ -207,6 +217,9 @@ static enum zr_status run_pipeline(const struct zr_run *run, const struct zr_sce
     if (status == ZR_OK && zr_view_wants(frame->view, ZR_CHANNEL_INFO)) STAGE(zr_frame_parts_find(run, scene, frame));
     if (scene->csg && zr_view_wants(frame->view, ZR_CHANNEL_INFO))
         STAGE(zr_combined_find(run, scene, &frame->combined));
+    if (scene->distance_count > 0 && zr_view_wants(frame->view, ZR_CHANNEL_INFO))
+        STAGE(zr_part_distances_find(run, scene, &frame->distances));
+    if (frame->distances) frame->distance_count = scene->distance_count;
     if (frame->fragments.count > 0) STAGE(zr_fragment_parts_find(run, scene, frame));
     if (frame->picks.count > 0) STAGE(zr_pick_parts_find(run, scene, frame));
     return status;

@@ -20,6 +20,7 @@
 #include "output/masks.h"
 #include "output/npy.h"
 #include "output/pfm.h"
+#include "request/wall_picture.h"
 #include "scene/looks.h"
 #include "scene/output.h"
 #include "scene/scene.h"
@@ -54,6 +55,21 @@ static enum zr_status encode_color(const struct encoding *e, const struct zr_out
                          .is_srgb = true,
                          .dpi = output->dpi,
                          .has_no_palette = encoding != ZR_ENCODING_PNG};
+    return zr_png_write(&png, e->run->team, e->run->cancel, out);
+}
+
+static enum zr_status encode_wall(const struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
+{
+    const struct zr_frame *frame = e->frame;
+    const struct zr_png png = {
+        .kind = ZR_PNG_RGB,
+        .width = frame->width,
+        .height = frame->height,
+        .pixels = zr_wall_picture_make(e->run, frame->channels[ZR_CHANNEL_WALL], frame->width, frame->height),
+        .dpi = output->dpi,
+        .is_srgb = true,
+        .compress = e->scene->compress};
+    if (!png.pixels) return zr_is_cancelled(e->run->cancel) ? ZR_CANCELLED : ZR_NO_MEMORY;
     return zr_png_write(&png, e->run->team, e->run->cancel, out);
 }
 
@@ -98,7 +114,7 @@ static const float *values_for_steps(const struct encoding *e, enum zr_channel c
 {
     const size_t pixels = (size_t)e->frame->width * e->frame->height;
     const float *values = e->frame->channels[channel];
-    if (channel != ZR_CHANNEL_THICKNESS) return values;
+    if (channel != ZR_CHANNEL_THICKNESS && channel != ZR_CHANNEL_WALL) return values;
     float *made = zr_arena_alloc(e->run->arena, pixels, sizeof *made);
     for (size_t i = 0; made && i < pixels; i++)
         made[i] = values[i] > 0.0f ? values[i] : INFINITY;
@@ -206,6 +222,7 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     switch (output->encoding) {
     case ZR_ENCODING_PNG:
         if (output->channel == ZR_CHANNEL_NORMALS) return encode_triples(e, output, 0.5f, 0.5f, out);
+        if (output->channel == ZR_CHANNEL_WALL) return encode_wall(e, output, out);
         if (output->channel == ZR_CHANNEL_POSITION) return encode_triples(e, output, 1.0f, 0.0f, out);
         return encode_color(e, output, out);
     case ZR_ENCODING_PNG16:

@@ -59,10 +59,10 @@ static inline bool zr_view_annotates(const struct zr_view *view)
     return zr_annotate_fits(&view->annotate, view->width, view->height) && zr_view_wants(view, ZR_CHANNEL_COLOR);
 }
 
-/* True if notes of holes are among the marks. */
+/* True if the marks need holes. */
 static inline bool zr_view_notes_holes(const struct zr_view *view)
 {
-    return zr_view_annotates(view) && zr_annotate_has(&view->annotate, ZR_ANNOTATE_HOLES) &&
+    return zr_view_annotates(view) && zr_annotate_needs_features(&view->annotate) &&
            view->lens.model == ZR_LENS_NONE;
 }
 
@@ -82,9 +82,10 @@ static inline bool zr_view_has_masks(const struct zr_view *view)
  * computed from them. */
 static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel channel)
 {
-    const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) || zr_view_picks(view);
+    const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) || zr_view_picks(view) ||
+                       (zr_view_annotates(view) && view->annotate.dimension_count > 0);
     return zr_view_has_pixels(view, channel) || (lists && channel == ZR_CHANNEL_WINDOW_DEPTH) ||
-           (channel == ZR_CHANNEL_DEPTH && zr_view_notes_holes(view)) ||
+           (channel == ZR_CHANNEL_DEPTH && (zr_view_notes_holes(view) || zr_view_wants(view, ZR_CHANNEL_WALL))) ||
            (channel == ZR_CHANNEL_INSTANCE_ID && zr_view_has_masks(view)) ||
            (channel == ZR_CHANNEL_FACE_ID &&
             (lists || zr_view_annotates(view) || zr_view_wants(view, ZR_CHANNEL_INFO) ||

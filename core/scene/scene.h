@@ -377,6 +377,8 @@ struct zr_scene {
     const char *const *warnings; /* of input/ and scene/ */
     bool is_strict;              /* warnings are errors */
     bool is_undrawn;             /* nothing is drawn, and all outputs are info */
+    uint32_t distance_count;     /* of pairs of parts whose distance info lists */
+    const struct zr_part_pair *distances;
     bool has_features;           /* info lists holes and other features of parts */
     struct zr_read_counts counts;
     struct zr_file_facts file;

@@ -99,6 +99,28 @@ static void check_layers(const struct zr_view *view, struct zr_error *error)
                          zr_channel_rows[channels[i]].name);
 }
 
+/* Checks the pixels of ends of dimensions. */
+static void check_dimensions(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
+{
+    static const char *const keys[] = {"from", "to", "at"};
+    char pointer[48];
+    for (uint32_t i = 0; i < view->annotate.dimension_count; i++) {
+        const struct zr_dimension *d = &view->annotate.dimensions[i];
+        const struct zr_dimension_end *const ends[] = {&d->from, &d->to, &d->at};
+        for (int k = 0; k < 3; k++) {
+            if (ends[k]->is_pick && scene->algorithm == ZR_ALGORITHM_PAINTER)
+                zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
+                             "painter keeps no fragments, which picks need; the other algorithms do");
+            if (!ends[k]->is_pick || (ends[k]->pixel[0] < view->width && ends[k]->pixel[1] < view->height)) continue;
+            snprintf(pointer, sizeof pointer, "/dimensions/%" PRIu32 "/%s/pick", i, keys[k]);
+            zr_error_add(error, ZR_BAD_SCENE, pointer,
+                         "pixel %" PRIu32 ", %" PRIu32 " lies beside the window of %" PRIu32 "x%" PRIu32
+                         " pixels, the first of which is 0, 0",
+                         ends[k]->pixel[0], ends[k]->pixel[1], view->width, view->height);
+        }
+    }
+}
+
 static void check_picks(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     char pointer[24];
@@ -294,7 +316,7 @@ static void check_see_through(const struct zr_scene *scene, struct zr_error *err
 static void check_csg(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     static const enum zr_channel refused[] = {ZR_CHANNEL_LAYERS, ZR_CHANNEL_THICKNESS, ZR_CHANNEL_MASKS,
-                                              ZR_CHANNEL_TRACE};
+                                              ZR_CHANNEL_TRACE, ZR_CHANNEL_WALL};
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++)
         if (zr_view_wants(view, refused[i]))
             zr_error_add(error, ZR_BAD_SCENE, "/csg", "the channel %s has the operands, not the solids that they make",
@@ -318,6 +340,9 @@ static void check_options(const struct zr_scene *scene, const struct zr_view *vi
     if (is_painter) check_layers(view, error);
     if (scene->has_features && !zr_view_wants(view, ZR_CHANNEL_INFO))
         zr_error_add(error, ZR_BAD_SCENE, "/features", "no output shows them: add the channel info");
+    check_dimensions(scene, view, error);
+    if (scene->distance_count > 0 && !zr_view_wants(view, ZR_CHANNEL_INFO))
+        zr_error_add(error, ZR_BAD_SCENE, "/distances", "no output shows them: add the channel info");
     if (view->picks.count > 0) check_picks(scene, view, error);
     if (zr_view_has_masks(view)) check_visibility(scene, view, error);
     if (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS)) check_pixels(view, error);

@@ -126,6 +126,9 @@ struct zr_frame {
     struct zr_pixel_fragments fragments;    /* only if wanted */
     struct zr_frame_parts parts;            /* only if info is wanted */
     const struct zr_known_parts *known_parts; /* render/frame_parts.h; found for notes of holes; NULL: none */
+    struct zr_picks ends;                   /* picked ends of dimensions, in order; while the overlay is drawn */
+    const struct zr_part_distance *distances; /* measure/part_distance.h; one per pair of the scene; NULL: none */
+    uint32_t distance_count;
     struct zr_picks picks;                  /* only if info of a view with picks is wanted */
     const struct zr_combined *combined;     /* measure/combined.h; only if info of a scene with csg is wanted */
     const struct zr_instance_masks *masks;  /* only if wanted */

@@ -74,7 +74,8 @@ static void make_outputs_plain(struct zr_arena *arena, uint32_t number, struct z
 
 bool zr_view_shares_parts(const struct zr_view_set *set, uint32_t number)
 {
-    static const char *const harmless[] = {"view", "window", "background", "sections"}; /* change no part */
+    static const char *const harmless[] = {"view",     "window", "background", "sections",
+                                           "annotate", "title",  "dimensions"}; /* change no part */
     enum { COUNT = sizeof harmless / sizeof *harmless };
     if (zr_view_set_is_animation(set)) return false;
     if (set->kind != ZR_VIEW_SET_LIST || !set->items[number].keys) return true;

@@ -148,6 +148,8 @@ static enum mcp_draw_status show(struct mcp_job *job, struct mcp_text *result)
 struct target {
     char *view; /* JSON; NULL: that of the job */
     unsigned width, height, x, y;
+    bool has_to; /* another pixel of the view */
+    unsigned to_x, to_y;
     bool is_paper; /* between the views of a sheet */
 };
 
@@ -170,7 +172,15 @@ static enum mcp_draw_status find_target(struct mcp_job *job, struct mcp_shots *s
         static const char *const keys[] = {"worldToCamera", "projectionMatrix"};
         for (int i = 0; i < 2; i++)
             mcp_add(view, keys[i], cJSON_Duplicate(mcp_get(cell, keys[i]), true));
-        *target = (struct target){cJSON_PrintUnformatted(view), x1 - x0, y1 - y0, job->x - x0, job->y - y0, false};
+        *target = (struct target){.view = cJSON_PrintUnformatted(view),
+                                  .width = x1 - x0,
+                                  .height = y1 - y0,
+                                  .x = job->x - x0,
+                                  .y = job->y - y0,
+                                  .has_to = job->has_to && job->to_x >= x0 && job->to_x < x1 && job->to_y >= y0 &&
+                                            job->to_y < y1,
+                                  .to_x = job->to_x - x0,
+                                  .to_y = job->to_y - y0};
         cJSON_Delete(view);
     }
     return status;
@@ -207,6 +217,31 @@ static void describe_fragments(struct mcp_text *words, const cJSON *content)
 
 enum { FRAGMENTS_MAX = 32 };
 
+/* Adds the normal and the feature of the visible surface, and the way to the other pixel. */
+static void add_picked(cJSON *content, const cJSON *info)
+{
+    static const char *const keys[] = {"normal", "feature"};
+    const cJSON *picked = cJSON_GetArrayItem(mcp_get(info, "picks"), 0);
+    const cJSON *between = cJSON_GetArrayItem(mcp_get(info, "between"), 0);
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (mcp_get(picked, keys[i])) mcp_add(content, keys[i], cJSON_Duplicate(mcp_get(picked, keys[i]), true));
+    if (between) mcp_add(content, "between", cJSON_Duplicate(between, true));
+}
+
+static void describe_picked(struct mcp_text *words, const cJSON *content)
+{
+    const cJSON *feature = mcp_get(content, "feature"), *between = mcp_get(content, "between");
+    const cJSON *kind = mcp_get(feature, "kind"), *offset = mcp_get(between, "offset");
+    if (cJSON_IsString(kind) && mcp_get(feature, "diameter"))
+        mcp_text_print(words, "\nfeature: %s, diameter %.6g", kind->valuestring, mcp_number_of(feature, "diameter"));
+    if (!between) return;
+    mcp_text_print(words, "\nto the other pixel: distance %.6g, offset (%.6g, %.6g, %.6g)",
+                   mcp_number_of(between, "distance"), mcp_number_at(offset, 0), mcp_number_at(offset, 1),
+                   mcp_number_at(offset, 2));
+    if (mcp_get(between, "angleDegrees"))
+        mcp_text_print(words, ", angle of the normals %.6g degrees", mcp_number_of(between, "angleDegrees"));
+}
+
 static void put_pick(const struct mcp_job *job, const struct target *target, const struct mcp_shots *shots,
                      const cJSON *found, struct mcp_text *result)
 {
@@ -222,6 +257,7 @@ static void put_pick(const struct mcp_job *job, const struct target *target, con
     {
         if (cJSON_GetArraySize(made) < FRAGMENTS_MAX) mcp_append(made, make_fragment(fragment));
     }
+    if (!target->is_paper) add_picked(content, shots->at[0].info);
     mcp_text_print(&words, "pixel (%u, %u) of image %u: %s", job->x, job->y, job->image,
                    target->is_paper           ? "background between the views of the sheet"
                    : cJSON_GetArraySize(made) ? "surfaces, the nearest first:"
@@ -230,6 +266,7 @@ static void put_pick(const struct mcp_job *job, const struct target *target, con
         result->failed = true;
     else
         describe_fragments(&words, content);
+    if (!mcp_memory_has_failed()) describe_picked(&words, content);
     mcp_text_put(result, "\"content\":[");
     put_block(result, &words);
     put_content(result, content);
@@ -243,7 +280,12 @@ static enum mcp_draw_status pick_at(struct mcp_job *job, const struct target *ta
     char outputs[128];
     snprintf(outputs, sizeof outputs, "[{\"channel\":\"fragments\",\"x\":%u,\"y\":%u},{\"channel\":\"info\"}]",
              target->x, target->y);
-    const struct mcp_picture picture = {outputs, target->width, target->height, target->view, (int)job->image};
+    char picks[64];
+    if (target->has_to)
+        snprintf(picks, sizeof picks, "[[%u,%u],[%u,%u]]", target->x, target->y, target->to_x, target->to_y);
+    else
+        snprintf(picks, sizeof picks, "[[%u,%u]]", target->x, target->y);
+    const struct mcp_picture picture = {outputs, target->width, target->height, target->view, picks, (int)job->image};
     const enum mcp_draw_status status = mcp_shots_draw_once(job, &picture, shots);
     if (status == MCP_DRAWN) put_pick(job, target, shots, shots->fragments, result);
     return status;
@@ -252,7 +294,13 @@ static enum mcp_draw_status pick_at(struct mcp_job *job, const struct target *ta
 static enum mcp_draw_status pick(struct mcp_job *job, struct mcp_text *result)
 {
     struct mcp_shots shots = {.count = 0};
-    struct target target = {NULL, job->width, job->height, job->x, job->y, false};
+    struct target target = {.width = job->width,
+                            .height = job->height,
+                            .x = job->x,
+                            .y = job->y,
+                            .has_to = job->has_to,
+                            .to_x = job->to_x,
+                            .to_y = job->to_y};
     enum mcp_draw_status status = job->is_sheet ? find_target(job, &shots, &target) : MCP_DRAWN;
     if (status == MCP_DRAWN && target.is_paper)
         put_pick(job, &target, &shots, NULL, result);

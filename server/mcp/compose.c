@@ -152,6 +152,7 @@ static void put_picture(const struct mcp_job *job, const struct mcp_picture *pic
     item = mcp_job_argument(job, "annotate");
     if (item && cJSON_IsArray(item)) put_item(head, "annotate", item);
     put_up(job, head);
+    if (picture->picks) put(head, "picks", picture->picks);
     put_item(head, "sections", mcp_job_argument(job, "sections"));
     cJSON_ArrayForEach(item, mcp_job_argument(job, "parts")) put_item(head, item->string, item);
 }

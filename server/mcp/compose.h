@@ -9,6 +9,7 @@ struct mcp_picture {
     const char *outputs;    /* JSON */
     unsigned width, height; /* 0: no picture of the renderer */
     const char *view;       /* JSON of one view that replaces all; NULL: those of the job */
+    const char *picks;      /* JSON of pixels that info describes; NULL: none */
     int only;               /* number of the job's only view to draw; -1: all */
 };
 

@@ -185,6 +185,11 @@ static void read_pixel(struct mcp_job *job)
     job->image = read_number(job, "image", 0, job->images - 1, 0);
     job->x = read_number(job, "x", 0, job->width - 1, 0);
     job->y = read_number(job, "y", 0, job->height - 1, 0);
+    const bool has_x = mcp_job_argument(job, "toX") != NULL, has_y = mcp_job_argument(job, "toY") != NULL;
+    if (has_x != has_y) mcp_fault(&job->faults, has_x ? "/toY" : "/toX", "missing beside %s", has_x ? "toX" : "toY");
+    job->has_to = has_x && has_y;
+    job->to_x = read_number(job, "toX", 0, job->width - 1, 0);
+    job->to_y = read_number(job, "toY", 0, job->height - 1, 0);
 }
 
 bool mcp_job_read(struct mcp_job *job, const struct mcp_host *host, const struct mcp_message *message,

@@ -40,6 +40,8 @@ struct mcp_job {
     unsigned images;
     const char *format;                 /* of mcp_words_of_formats; NULL: by the size */
     unsigned image, x, y;               /* of MCP_PICK */
+    bool has_to;                        /* of MCP_PICK: another pixel, to_x and to_y */
+    unsigned to_x, to_y;
     bool is_bare;                       /* the model is the only mesh: the scene, if any, has no meshes */
     unsigned model_meshes;              /* meshes of the scene that are {"asset": "model"} */
     bool has_own_views;                 /* the scene's views are drawn, not those of the arguments */

@@ -71,7 +71,8 @@ static const char pick_schema[] =
     "first.\",\"items\":"
     "{\"type\":\"object\",\"required\":[\"part\",\"face\",\"depth\",\"point\",\"front\",\"shown\"],\"properties\":{"
     "\"part\":" TEXT ",\"face\":{\"type\":\"integer\"},\"depth\":" NUMBER ",\"point\":" VECTOR
-    ",\"front\":{\"type\":\"boolean\"},\"shown\":{\"type\":\"boolean\"}}}},\"views\":{\"type\":\"array\","
+    ",\"front\":{\"type\":\"boolean\"},\"shown\":{\"type\":\"boolean\"}}}},\"normal\":" MAYBE_VECTOR ",\"feature\":{\"type\":\"object\"},"
+    "\"between\":{\"type\":\"object\",\"description\":\"The way to the surface at toX, toY.\"},\"views\":{\"type\":\"array\","
     "\"items\":" VIEW "},\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}}}";
 
 #define OBJECT "{\"type\":\"object\"}"

@@ -23,7 +23,8 @@ static uint32_t list_outputs(const struct zr_base *base)
 {
     uint32_t count = 0;
     for (int c = 0; c < (base ? ZR_CHANNEL_INFO : ZR_CHANNEL_COUNT); c++)
-        if (zr_channel_rows[c].words > 0 && c != ZR_CHANNEL_FLOW) /* which needs a target */
+        if (zr_channel_rows[c].words > 0 && c != ZR_CHANNEL_FLOW && /* which needs a target */
+            c != ZR_CHANNEL_WALL)                                   /* which takes a tree per scene */
             outputs[count++] = (struct zr_output){
                 .channel = (enum zr_channel)c, .encoding = zr_channel_rows[c].encodings[0], .space = ZR_SPACE_OBJECT};
     return count;

@@ -679,6 +679,13 @@ class Http(unittest.TestCase):
         self.assertAlmostEqual(first["point"][0], 10, delta=2 * top["unitsPerPixel"])
         self.assertAlmostEqual(first["point"][1], 5, delta=2 * top["unitsPerPixel"])
         self.assertEqual([f["shown"] for f in content["fragments"]], [True, False])
+        self.assertEqual((content["normal"], content["feature"]["kind"], "between" in content), ([0, 0, 1], "plane", False))
+        way = self.call("pick", **arguments, views=["front", "top"], image=1, x=x, y=240, toX=x + 20, toY=240)
+        between = way["structuredContent"]["between"]
+        self.assertAlmostEqual(between["distance"], 20 * top["unitsPerPixel"], places=5)
+        self.assertEqual((between["angleDegrees"], between["alongNormal"]), (0, 0))
+        self.assertIn("to the other pixel: distance", texts(way)[0])
+        self.assertTrue(self.call("pick", **arguments, x=x, y=240, toX=3)["isError"])
         sheet = self.call("render", **arguments, sheet="threeView")["structuredContent"]["views"]
         top = next(view for view in sheet if view["name"] == "top")
         x, y = (top["box"][0] + top["box"][2]) // 2 - round(10 / top["unitsPerPixel"]), (top["box"][1] + top["box"][3]) // 2

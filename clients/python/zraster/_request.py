@@ -56,7 +56,7 @@ class Call:
         return c.Handle(made.value, free)
 
 
-OF_OUTPUTS = {"render", "visibility", "features"}  # parameters that are checked with the outputs
+OF_OUTPUTS = {"render", "visibility", "features", "picks"}  # parameters that are checked with the outputs
 SEVERAL = {"views", "turntable", "orbit", "animate", "frames", "sheet"}  # keys and parameters
 
 

@@ -175,6 +175,18 @@ const struct zr_json_field zr_scene_fields[] = {
                             },
                             "maxItems" : 64
                         })},
+    [ZR_SCENE_DISTANCES] = {"distances", zr_read_distances, 0, .otherwise = "[]",
+                            .text = "pairs of parts, by name: info lists their least distance and both places",
+                            .schema = ZR_SCHEMA({
+                                "type" : "array",
+                                "items" : {
+                                    "type" : "array",
+                                    "items" : {"type" : "string"},
+                                    "minItems" : 2,
+                                    "maxItems" : 2
+                                },
+                                "maxItems" : 64
+                            })},
     [ZR_SCENE_HIDE] = {"hide", zr_read_hide, 0, .otherwise = "[]",
                        .text = "parts that are not drawn: a name, a pattern with * and ?, an id, or a list of these",
                        .schema = ZR_SCHEMA_OF("parts")},

@@ -26,6 +26,7 @@
     ROW(colorBar)                                                                                                      \
     ROW(dimension)                                                                                                     \
     ROW(mark)                                                                                                          \
+    ROW(dimensionEnd)                                                                                                  \
     ROW(highlight)                                                                                                     \
     ROW(explode)                                                                                                       \
     ROW(csg)                                                                                                           \

@@ -82,6 +82,7 @@ enum zr_scene_key {
     ZR_SCENE_VISIBILITY,
     ZR_SCENE_FEATURES,
     ZR_SCENE_PICKS,
+    ZR_SCENE_DISTANCES,
     ZR_SCENE_HIDE,
     ZR_SCENE_ISOLATE,
     ZR_SCENE_GHOST,
@@ -293,8 +294,8 @@ bool zr_parsed_find_mesh(struct zr_parsed_scene *root, const struct zr_json_path
 zr_json_read_fn zr_read_view;
 void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
-/* json_picks.c: reads pixels into the view. */
-zr_json_read_fn zr_read_picks;
+/* json_picks.c: reads pixels into the view, and pairs of parts. */
+zr_json_read_fn zr_read_picks, zr_read_distances;
 
 /* json_annotate.c: reads words, the title and dimensions into the view. */
 zr_json_read_fn zr_read_annotate, zr_read_title, zr_read_dimensions, zr_read_marks;

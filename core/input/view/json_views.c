@@ -44,7 +44,7 @@ static bool read_name(struct zr_json *json, const struct zr_json_path *path, voi
 enum { NAME, FIRST_KEY };
 struct given_item {
     const char *name;
-    struct given_value values[12];
+    struct given_value values[16];
 };
 #define VALUE(number, name, table, help)                                                                               \
     {                                                                                                                  \
@@ -67,7 +67,11 @@ static const struct zr_json_field item_fields[] = {
     VALUE(8, "highlight", &zr_json_object_highlight, "parts in one colour"),
     VALUE(9, "explode", &zr_json_object_explode, "exploded view: a factor or an object"),
     VALUE(10, "sections", &zr_json_object_sections, "planes that cut the scene open"),
-    VALUE(11, "edges", &zr_json_object_edges, "lines along silhouettes and creases")};
+    VALUE(11, "edges", &zr_json_object_edges, "lines along silhouettes and creases"),
+    VALUE(12, "annotate", NULL, "marks over the picture"),
+    VALUE(13, "title", NULL, "text of the title line"),
+    VALUE(14, "dimensions", &zr_json_object_dimension, "dimensions between places"),
+    VALUE(15, "picks", NULL, "pixels whose surfaces info describes")};
 enum { VALUES = sizeof item_fields / sizeof *item_fields - FIRST_KEY };
 const struct zr_json_object zr_json_object_views = ZR_JSON_OBJECT_OF("views", item_fields);
 

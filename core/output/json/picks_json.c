@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/dvec3.h"
+#include "measure/part_distance.h"
 #include "mesh/features/angles.h"
 #include "mesh/features/part_features.h"
 #include "scene/camera/camera.h"
@@ -164,5 +165,30 @@ void zr_picks_print(struct zr_print *print, const struct zr_frame *frame)
     for (uint32_t i = 0; i + 1 < picks->count; i++)
         if (picks->at[i].is_hit && picks->at[i + 1].is_hit)
             print_between(&p, i, &picks->at[i].at, &picks->at[i + 1].at);
+    zr_print_end(print, ']');
+}
+
+void zr_distances_print(struct zr_print *print, const struct zr_frame *frame)
+{
+    const struct printing p = {print, frame, zero_share * (double)zr_diagonal_of(&frame->bounds)};
+    if (frame->distance_count == 0) return;
+    zr_print_begin(print, "distances", '[');
+    for (uint32_t i = 0; i < frame->distance_count; i++) {
+        const struct zr_part_distance *d = &frame->distances[i];
+        zr_print_begin(print, NULL, '{');
+        zr_print_begin(print, "parts", '[');
+        zr_print_string(print, NULL, d->parts[0]);
+        zr_print_string(print, NULL, d->parts[1]);
+        zr_print_end(print, ']');
+        if (d->is_found) {
+            print_length(&p, "distance", d->distance);
+            print_point(&p, "from", d->places[0]);
+            print_point(&p, "to", d->places[1]);
+            zr_print_bool(print, "crosses", d->crosses);
+        } else {
+            zr_print_null(print, "distance");
+        }
+        zr_print_end(print, '}');
+    }
     zr_print_end(print, ']');
 }

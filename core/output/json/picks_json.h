@@ -8,4 +8,7 @@
 /* Prints both keys, or nothing without picks. Places are those of the world plus frame->origin. */
 void zr_picks_print(struct zr_print *print, const struct zr_frame *frame);
 
+/* Prints the key distances of info (measure/part_distance.h), or nothing without pairs. */
+void zr_distances_print(struct zr_print *print, const struct zr_frame *frame);
+
 #endif

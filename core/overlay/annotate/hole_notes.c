@@ -252,14 +252,14 @@ static uint32_t find_places(struct zr_layout *l, const struct zr_model_map *map,
     return failed;
 }
 
-static void draw(struct zr_layout *l, const struct zr_leader_note *note, const char *text)
+static void draw(struct zr_layout *l, const struct zr_leader_note *note, const char *text, uint32_t color)
 {
     const double length = l->letters + 2.2 * l->line;
     const double x = note->leader.from.x - note->leader.to.x, y = note->leader.from.y - note->leader.to.y;
     const double way = sqrt(x * x + y * y);
-    zr_leader_note_draw(l, note, text);
+    zr_leader_note_draw(l, note, text, color);
     zr_marks_add_arrow(l->marks, note->leader.from, x / way, y / way, length, 0.19 * length,
-                       zr_layout_ink(l, l->ink, 0.0, true));
+                       zr_layout_ink(l, color, 0.0, true));
     zr_leader_note_take(l, note);
 }
 
@@ -279,9 +279,22 @@ static void place_all(struct zr_layout *l, const struct zr_model_map *map, const
     }
     for (uint32_t i = 0; i < count; i++)
         if (best[i].cost < HUGE_VAL)
-            draw(l, &best[i], groups[i].note_text);
+            draw(l, &best[i], groups[i].note_text, l->ink);
         else
             zr_layout_leave_out(l, groups[i].note_text, groups[i].seen > 0 ? "no room" : "not seen");
+}
+
+const char *zr_hole_note_place(struct zr_layout *l, const struct zr_model_map *map, const struct zr_hole *hole,
+                               const char *text, uint32_t color)
+{
+    struct zr_leader_note note = {.cost = HUGE_VAL};
+    struct rim rim;
+    see_hole(l, hole, &rim);
+    if (rim.seen < RIM_SEEN) return "not seen";
+    zr_leader_note_find(l, map, find_tip, &rim, zr_type_width(text, l->letters), &note);
+    if (note.cost == HUGE_VAL) return "no room";
+    draw(l, &note, text, color);
+    return NULL;
 }
 
 static void write_texts(struct group *groups, uint32_t count)

@@ -10,7 +10,7 @@
 #define ZR_HOLE_NOTES_H
 
 #include "mesh/features/holes.h"
-#include "overlay/annotate/layout.h"
+#include "overlay/annotate/model_map.h"
 
 enum { ZR_HOLE_TEXT_SIZE = 256 };
 
@@ -20,5 +20,9 @@ void zr_hole_text_write(const struct zr_hole *hole, double largest, const char *
 
 /* Places the notes of the frame's parts. The frame has a depth. */
 void zr_hole_notes_place(struct zr_layout *layout, const char *unit);
+
+/* Places a text with an arrow at the rim of one hole. Returns why it has no place, or NULL. */
+const char *zr_hole_note_place(struct zr_layout *layout, const struct zr_model_map *map, const struct zr_hole *hole,
+                               const char *text, uint32_t color);
 
 #endif

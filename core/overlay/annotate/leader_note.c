@@ -99,9 +99,9 @@ void zr_leader_note_take(struct zr_layout *l, const struct zr_leader_note *note)
     zr_layout_take_line(l, note->shelf);
 }
 
-void zr_leader_note_draw(struct zr_layout *l, const struct zr_leader_note *note, const char *text)
+void zr_leader_note_draw(struct zr_layout *l, const struct zr_leader_note *note, const char *text, uint32_t color)
 {
     const struct zr_point points[] = {note->leader.from, note->leader.to, note->shelf.to};
-    zr_marks_add_line(l->marks, points, 3, zr_layout_ink(l, l->ink, 0.55, true));
-    zr_layout_write(l, text, note->text_x, note->text_y, l->letters, l->ink, true);
+    zr_marks_add_line(l->marks, points, 3, zr_layout_ink(l, color, 0.55, true));
+    zr_layout_write(l, text, note->text_x, note->text_y, l->letters, color, true);
 }

@@ -26,6 +26,6 @@ void zr_leader_note_find(const struct zr_layout *layout, const struct zr_model_m
 void zr_leader_note_take(struct zr_layout *layout, const struct zr_leader_note *note);
 
 /* Draws leader and text, without a mark at the place. */
-void zr_leader_note_draw(struct zr_layout *layout, const struct zr_leader_note *note, const char *text);
+void zr_leader_note_draw(struct zr_layout *layout, const struct zr_leader_note *note, const char *text, uint32_t color);
 
 #endif

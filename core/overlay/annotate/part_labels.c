@@ -304,7 +304,7 @@ static void draw_beside(struct zr_layout *l, const struct label *label, const ch
         zr_layout_leave_out(l, label->name, "no room");
         return;
     }
-    zr_leader_note_draw(l, &note, name);
+    zr_leader_note_draw(l, &note, name, l->ink);
     zr_marks_add_disc(l->marks, note.leader.from, dot * l->letters, zr_layout_ink(l, l->ink, 0.0, true));
     zr_leader_note_take(l, &note);
 }

@@ -2,13 +2,16 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "mesh/features/part_features.h"
 #include "overlay/annotate/dimension_line.h"
 #include "overlay/annotate/length_text.h"
+#include "overlay/annotate/round_dimension.h"
 
 /* Distance of rows in heights of capitals; rows that are tried on each side. */
 static const double row = 2.6;
-enum { ROWS = 10 };
+enum { ROWS = 10, RANKS = 3 };
 
 /* A dimension with its ends on the window; `foot`: the second end of the line. */
 struct given {
@@ -16,25 +19,90 @@ struct given {
     struct zr_point from, to, foot;
     double pixels, length;
     const char *text;
-    bool is_seen, is_drawn;
+    bool is_drawn;
+    const char *why; /* it is left out; NULL: it is not yet */
+    int kind;        /* enum zr_dimension_kind */
+    zr_dvec3 ends[3];
+    const struct zr_hole *hole; /* of a radius or diameter */
 };
+
+/* Returns the number of a picked end in frame->ends. */
+static uint32_t pick_number(const struct zr_layout *l, const struct zr_dimension_end *end)
+{
+    const struct zr_annotate *annotate = &l->frame->view->annotate;
+    uint32_t number = 0;
+    for (uint32_t i = 0; i < annotate->dimension_count; i++) {
+        const struct zr_dimension *d = &annotate->dimensions[i];
+        const struct zr_dimension_end *const ends[] = {&d->from, &d->to, &d->at};
+        for (int k = 0; k < 3; k++) {
+            if (ends[k] == end) return number;
+            number += ends[k]->is_pick;
+        }
+    }
+    return number;
+}
+
+/* Returns the hole of an end, or NULL if there is none. */
+static const struct zr_hole *hole_of(const struct zr_layout *l, const struct zr_dimension_end *end)
+{
+    const struct zr_frame_parts *parts = &l->frame->parts;
+    for (uint32_t p = 0; p < parts->list.count && parts->features; p++) {
+        const struct zr_holes *holes = &parts->features[p].holes;
+        const bool is_omitted = parts->features[p].is_omitted || holes->hole_count == 0;
+        if (end->part ? strcmp(end->part, parts->list.at[p].name) != 0 : is_omitted) continue;
+        uint32_t group = 0, index = 0;
+        for (uint32_t i = 0; i < holes->hole_count && !is_omitted; i++) {
+            if (holes->holes[i].group != i) continue;
+            if (group++ != end->hole) continue;
+            for (uint32_t k = i; k < holes->hole_count; k++)
+                if (holes->holes[k].group == i && index++ == end->index) return &holes->holes[k];
+        }
+        return NULL;
+    }
+    return NULL;
+}
+
+/* Finds an end in world space. Returns why it is not there, or NULL. */
+static const char *find_end(const struct zr_layout *l, const struct zr_dimension_end *end, zr_dvec3 *out)
+{
+    if (end->is_hole) {
+        const struct zr_hole *hole = hole_of(l, end);
+        if (!hole) return "no such hole";
+        *out = hole->at;
+    } else if (end->is_pick) {
+        const uint32_t number = pick_number(l, end);
+        const struct zr_pick *pick = number < l->frame->ends.count ? &l->frame->ends.at[number] : NULL;
+        if (!pick || !pick->is_hit) return "nothing is at the pixel";
+        *out = (zr_dvec3){pick->at.point[0], pick->at.point[1], pick->at.point[2]};
+    } else {
+        *out = zr_layout_world(l, end->place);
+    }
+    return NULL;
+}
 
 static struct given measure(const struct zr_layout *l, uint32_t number)
 {
     const struct zr_dimension *d = &l->frame->view->annotate.dimensions[number];
-    const zr_dvec3 from = zr_layout_world(l, d->from), to = zr_layout_world(l, d->to), way = zr_dvec3_sub(to, from);
-    struct given given = {.number = number, .length = sqrt(zr_dvec3_dot(way, way))};
+    struct given given = {.number = number, .kind = d->kind};
+    given.why = find_end(l, &d->from, &given.ends[0]);
+    if (!given.why && d->has_to) given.why = find_end(l, &d->to, &given.ends[1]);
+    if (!given.why && d->has_at) given.why = find_end(l, &d->at, &given.ends[2]);
+    if (!d->has_to) given.hole = given.why ? NULL : hole_of(l, &d->from);
+    given.text = d->label;
+    if (given.why || given.hole || d->kind == ZR_DIMENSION_ANGLE) return given;
+    const zr_dvec3 from = given.ends[0], to = given.ends[1], way = zr_dvec3_sub(to, from);
+    given.length = sqrt(zr_dvec3_dot(way, way));
     zr_dvec3 foot = to;
     if (d->along >= 0) {
         const double along = zr_dvec3_dot(way, l->axes[d->along]);
         foot = zr_dvec3_add_scaled(from, l->axes[d->along], along);
         given.length = fabs(along);
     }
-    given.is_seen = zr_layout_project(l, from, &given.from) && zr_layout_project(l, to, &given.to) &&
-                    zr_layout_project(l, foot, &given.foot);
+    const bool is_seen = zr_layout_project(l, from, &given.from) && zr_layout_project(l, to, &given.to) &&
+                         zr_layout_project(l, foot, &given.foot);
+    if (!is_seen) given.why = "behind the eye";
     const double x = given.foot.x - given.from.x, y = given.foot.y - given.from.y;
     given.pixels = sqrt(x * x + y * y);
-    given.text = d->label;
     return given;
 }
 
@@ -100,46 +168,81 @@ static bool place(struct zr_layout *l, const struct given *given)
     return false;
 }
 
-void zr_place_dimensions_place(struct zr_layout *l, const char *unit)
+/* Draws a length with its crosses. Returns why it has no place, or NULL. */
+static const char *draw_length(struct zr_layout *l, struct given *given)
 {
-    const uint32_t count = l->frame->view->annotate.dimension_count;
+    if (!place(l, given)) return given->pixels > 2.0 * l->line ? "no room" : "along the view";
+    draw_cross(l, given->from);
+    draw_cross(l, given->to);
+    given->is_drawn = true;
+    const bool is_moved = given->foot.x != given->to.x || given->foot.y != given->to.y;
+    if (is_moved) zr_layout_draw(l, (struct zr_segment){given->to, given->foot}, l->dimension, 0.4, true);
+    return NULL;
+}
+
+static void take_length(struct zr_layout *l, const struct given *given)
+{
+    take_cross(l, given->from);
+    take_cross(l, given->to);
+    if (given->foot.x != given->to.x || given->foot.y != given->to.y)
+        zr_layout_take_line(l, (struct zr_segment){given->to, given->foot});
+}
+
+/* Returns the dimensions, sorted by their length in pixels. *largest: of their lengths. */
+static struct given *measure_all(struct zr_layout *l, uint32_t count, double *largest)
+{
     struct given *all = zr_arena_alloc(l->arena, count ? count : 1, sizeof *all);
-    double largest = 0.0;
-    if (!all) return;
-    for (uint32_t i = 0; i < count; i++) { /* sorted by length in pixels */
+    *largest = 0.0;
+    for (uint32_t i = 0; all && i < count; i++) {
         const struct given given = measure(l, i);
         uint32_t k = i;
         for (; k > 0 && all[k - 1].pixels > given.pixels; k--)
             all[k] = all[k - 1];
         all[k] = given;
-        largest = fmax(largest, given.length);
+        *largest = fmax(*largest, given.length);
     }
-    for (uint32_t i = 0; i < count; i++) {
-        char what[32];
+    return all;
+}
+
+static void leave_out(struct zr_layout *l, const struct given *given, const char *why)
+{
+    char what[32];
+    snprintf(what, sizeof what, "dimensions/%u", given->number);
+    zr_layout_leave_out(l, what, why);
+}
+
+/* Angles, then circles, then holes. */
+static int rank_of(const struct given *given)
+{
+    return given->kind == ZR_DIMENSION_ANGLE ? 0 : given->hole ? 2 : 1;
+}
+
+void zr_place_dimensions_place(struct zr_layout *l, const char *unit)
+{
+    const uint32_t count = l->frame->view->annotate.dimension_count;
+    double largest;
+    struct zr_model_map map;
+    struct given *all = measure_all(l, count, &largest);
+    bool has_others = false;
+    for (uint32_t i = 0; all && i < count; i++) {
         char *text = zr_arena_alloc(l->arena, ZR_LENGTH_SIZE, 1);
         if (!text) return;
+        has_others = has_others || all[i].kind != ZR_DIMENSION_LENGTH;
+        if (all[i].kind != ZR_DIMENSION_LENGTH && !all[i].why) continue;
         zr_length_write(all[i].length, largest, unit, text);
         if (!all[i].text) all[i].text = text;
-        snprintf(what, sizeof what, "dimensions/%u", all[i].number);
-        if (!all[i].is_seen) {
-            zr_layout_leave_out(l, what, "behind the eye");
-            continue;
-        }
-        if (!place(l, &all[i])) {
-            zr_layout_leave_out(l, what, all[i].pixels > 2.0 * l->line ? "no room" : "along the view");
-            continue;
-        }
-        draw_cross(l, all[i].from);
-        draw_cross(l, all[i].to);
-        const bool is_moved = all[i].foot.x != all[i].to.x || all[i].foot.y != all[i].to.y;
-        all[i].is_drawn = true;
-        if (is_moved) zr_layout_draw(l, (struct zr_segment){all[i].to, all[i].foot}, l->dimension, 0.4, true);
+        const char *why = all[i].why ? all[i].why : draw_length(l, &all[i]);
+        if (why) leave_out(l, &all[i], why);
     }
-    for (uint32_t i = 0; i < count; i++) {
-        if (!all[i].is_drawn) continue;
-        take_cross(l, all[i].from);
-        take_cross(l, all[i].to);
-        if (all[i].foot.x != all[i].to.x || all[i].foot.y != all[i].to.y)
-            zr_layout_take_line(l, (struct zr_segment){all[i].to, all[i].foot});
-    }
+    for (uint32_t i = 0; all && i < count; i++)
+        if (all[i].is_drawn) take_length(l, &all[i]);
+    if (!all || !has_others || !zr_model_map_make(l, &map)) return;
+    for (int rank = 0; rank < RANKS; rank++) /* those with the most lines of their own first */
+        for (uint32_t i = 0; i < count; i++) {
+            if (all[i].kind == ZR_DIMENSION_LENGTH || all[i].why || rank_of(&all[i]) != rank) continue;
+            const struct zr_round_dimension round = {
+                all[i].kind, {all[i].ends[0], all[i].ends[1], all[i].ends[2]}, all[i].hole, all[i].text};
+            const char *why = zr_round_dimension_place(l, &map, &round, unit);
+            if (why) leave_out(l, &all[i], why);
+        }
 }

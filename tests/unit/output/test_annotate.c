@@ -201,7 +201,8 @@ static void assert_no_leader_crosses(const struct zr_marks *marks, const char *v
             for (uint32_t n = 1; n < marks->at[k].path.ends[0]; n++)
                 if (side_of(a[0], a[1], b[n - 1]) * side_of(a[0], a[1], b[n]) < -1.0 &&
                     side_of(b[n - 1], b[n], a[0]) * side_of(b[n - 1], b[n], a[1]) < -1.0)
-                    fail_msg("view %s: leader %u crosses line %u", view, i, k);
+                    fail_msg("view %s: leader %u (%g %g to %g %g) crosses line %u (%g %g to %g %g)", view, i, a[0].x,
+                             a[0].y, a[1].x, a[1].y, k, b[n - 1].x, b[n - 1].y, b[n].x, b[n].y);
         }
 }
 
@@ -279,6 +280,40 @@ TEST(leaders_of_labels_cross_no_dimension)
             if (s == 0) assert_non_null(mark_of(&frame->annotations->marks, "post"));
             reading_free(reading);
         }
+}
+
+TEST(dimensions_end_at_holes_and_picks_and_measure_circles_and_angles)
+{
+    static char text[1 << 16];
+    static const char *const texts[] = {"4",
+                                        "\xc3\xb8"
+                                        "1.4",
+                                        "R0.5", "90\xc2\xb0", "D"};
+    size_t size;
+    char *scene = file_read("tests/scenes/annotate-holes.json", &size);
+    assert_non_null(scene);
+    snprintf(
+        text, sizeof text,
+        "{\"window\": {\"width\": 640, \"height\": 480}, \"look\": \"technical\", \"up\": \"z\", \"dimensions\": "
+        "[{\"from\": {\"hole\": 0}, \"to\": {\"hole\": 0, \"index\": 3, \"part\": \"plate\"}}, {\"type\": "
+        "\"diameter\", "
+        "\"from\": {\"hole\": 1}}, {\"type\": \"radius\", \"from\": {\"hole\": 2}}, {\"from\": {\"pick\": [320, 230]}, "
+        "\"to\": {\"hole\": 1}}, {\"type\": \"angle\", \"from\": [8, 0, 0.5], \"to\": [0, 4, 0.5], \"at\": [0, 0, "
+        "0.5]}, "
+        "{\"type\": \"diameter\", \"from\": [7, 3, 0.5], \"to\": [7.3, 3, 0.5], \"label\": \"D\"}, "
+        "{\"from\": {\"hole\": 9}, \"to\": [0, 0, 0]}, {\"from\": {\"pick\": [0, 0]}, \"to\": [0, 0, 0]}], %s",
+        strstr(scene, "\"meshes\""));
+    free(scene);
+    struct reading *reading = read_scene(text);
+    const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        if (!mark_of(&frame->annotations->marks, texts[i]))
+            fail_msg("no %s: %s", texts[i], frame->annotations->left_out[0].why);
+    assert_int_equal(frame->annotations->left_out_count, 2);
+    assert_string_equal(frame->annotations->left_out[0].why, "no such hole");
+    assert_string_equal(frame->annotations->left_out[1].why, "nothing is at the pixel");
+    assert_no_leader_crosses(&frame->annotations->marks, "default");
+    reading_free(reading);
 }
 
 TEST(lengths_have_four_digits_that_count)

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "base/team.h"
+#include "measure/part_distance.h"
 #include "support/scenes.h"
 #include "support/tests.h"
 #include "unit/common/json_check.h"
@@ -173,6 +174,94 @@ TEST(each_number_of_threads_gives_the_same_bytes)
     reading_free(a);
     reading_free(b);
     zr_team_destroy(team);
+}
+
+/* ---- distances ---- */
+
+#define BOXES                                                                                                          \
+    "\"meshes\": [{\"name\": \"box\", \"shape\": {\"type\": \"box\", \"size\": 2}}, {\"name\": \"ball\", \"shape\": "  \
+    "{\"type\": \"sphere\", \"radius\": 1, \"segments\": 64}}], \"nodes\": [{\"name\": \"a\", \"mesh\": \"box\"}, "    \
+    "{\"name\": \"beside\", \"mesh\": \"box\", \"translation\": [3, 0.5, 0]}, {\"name\": \"across\", \"mesh\": "       \
+    "\"box\", "                                                                                                        \
+    "\"translation\": [1.5, 0.5, 0.5]}, {\"name\": \"on\", \"mesh\": \"box\", \"translation\": [0, 2, 0]}, "           \
+    "{\"name\": "                                                                                                      \
+    "\"over\", \"mesh\": \"ball\", \"translation\": [0, 0, 3.5]}, {\"name\": \"within\", \"mesh\": \"ball\", "         \
+    "\"scale\": [0.3, "                                                                                                \
+    "0.3, 0.3]}, {\"name\": \"same\", \"mesh\": \"box\"}, {\"name\": \"half\", \"mesh\": \"box\", "                    \
+    "\"translation\": [1, 0, 0]}, {\"name\": \"corner\", \"mesh\": \"box\", \"translation\": [5, 6, 14]}]"
+
+TEST(distances_of_parts_are_those_of_their_surfaces)
+{
+    static const struct {
+        const char *other;
+        double distance;
+        bool crosses;
+    } cases[] = {{"beside", 1, false}, {"across", 0, true},   {"on", 0, false},  {"over", 1.5, false},
+                 {"within", 0, true},  {"corner", 13, false}, {"same", 0, true}, {"half", 0, true}}; /* 3, 4 and 12 */
+    char rest[2048];
+    size_t used = (size_t)snprintf(rest, sizeof rest, BOXES ", \"distances\": [");
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        used += (size_t)snprintf(rest + used, sizeof rest - used, "%s[\"a\", \"%s\"]", i ? ", " : "", cases[i].other);
+    snprintf(rest + used, sizeof rest - used, "]");
+    struct reading *reading = read_view(rest);
+    const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct zr_part_distance *d = &frame->distances[i];
+        double square = 0.0;
+        for (int k = 0; k < 3; k++)
+            square += (d->places[1][k] - d->places[0][k]) * (d->places[1][k] - d->places[0][k]);
+        if (!d->is_found || d->crosses != cases[i].crosses || fabs(d->distance - cases[i].distance) > 1e-12)
+            fail_msg("%s: %g", cases[i].other, d->distance);
+        assert_true(fabs(sqrt(square) - d->distance) < 1e-12);
+    }
+    reading_free(reading);
+}
+
+TEST(an_unknown_part_has_no_distance)
+{
+    struct reading *reading = read_view(BOXES ", \"distances\": [[\"a\", \"bee\"]]");
+    struct zr_error error = {0};
+    const struct zr_frame *frame;
+    const struct zr_run run = {.arena = &reading->arena, .error = &error};
+    assert_int_equal(zr_render(&run, reading->scene, NULL, &frame), ZR_BAD_SCENE);
+    assert_string_equal(error.items[0].pointer, "/distances/0/1");
+    reading_free(reading);
+}
+
+/* ---- walls ---- */
+
+TEST(walls_are_as_thick_as_the_part_along_the_normal)
+{
+    struct reading *reading = read_scene(
+        "{\"window\": {\"width\": 200, \"height\": 200}, \"view\": {\"eye\": [5, 4, 20], \"target\": [0, 0, 0], "
+        "\"orthographic\": {\"xmag\": 5, \"ymag\": 5}}, \"outputs\": [{\"channel\": \"wall\"}, {\"channel\": "
+        "\"normals\", "
+        "\"space\": \"world\"}], \"meshes\": [{\"shape\": {\"type\": \"box\", \"size\": [6, 4, 2]}}]}");
+    struct zr_team *team = zr_team_create(3);
+    const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+    const struct zr_frame *same = scene_render(&reading->arena, team, reading->scene);
+    const float *walls = frame->channels[ZR_CHANNEL_WALL], *n = frame->channels[ZR_CHANNEL_NORMALS];
+    uint32_t seen = 0;
+    assert_memory_equal(walls, same->channels[ZR_CHANNEL_WALL], 4 * 200 * 200);
+    for (size_t i = 0; i < 200 * 200; i++, n += 3) {
+        const float want = 6.0f * fabsf(n[0]) + 4.0f * fabsf(n[1]) + 2.0f * fabsf(n[2]);
+        if (fabsf(walls[i] - want) > 1e-4f) fail_msg("pixel %zu: %g for %g", i, (double)walls[i], (double)want);
+        seen += walls[i] > 0.0f;
+    }
+    assert_true(seen > 10000);
+    reading_free(reading);
+    zr_team_destroy(team);
+}
+
+TEST(a_sheet_has_no_wall)
+{
+    struct reading *reading =
+        read_scene("{\"window\": {\"width\": 32, \"height\": 32}, \"outputs\": [{\"channel\": \"wall\"}], "
+                   "\"polygons\": [{\"vertices\": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]}");
+    const float *walls = scene_render(&reading->arena, NULL, reading->scene)->channels[ZR_CHANNEL_WALL];
+    for (size_t i = 0; i < 32 * 32; i++)
+        assert_true(walls[i] == 0.0f);
+    reading_free(reading);
 }
 
 /* ---- queries ---- */
