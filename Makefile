@@ -6,7 +6,7 @@ OBJCOPY ?= objcopy
 # -g1: call stacks have names and lines; all of -g takes a tenth longer.
 CFLAGS ?= -O3 -g1
 OURS := -std=c11 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wstrict-prototypes \
-	-Wmissing-prototypes -Werror=implicit-function-declaration -Wvla -D_GNU_SOURCE -Icore -Iserver -Iclients -Itests -pthread
+	-Wmissing-prototypes -Werror=implicit-function-declaration -Wvla -D_GNU_SOURCE -Icore -Iserver -Iclients -Itests $(if $(WASM),-Imake/wasm/include,-pthread)
 # A frame larger than a page touches each of its pages, so that none passes the guard page of a thread's stack.
 probes := -fstack-clash-protection
 OURS += $(shell $(CC) $(probes) -Werror -fsyntax-only -x c /dev/null 2>/dev/null && echo $(probes))
@@ -96,9 +96,10 @@ objects = $(patsubst %.c,$(plain)/%.o,$(wildcard $(1)))
 macros := $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null)
 # Our enumerations are integer constants, with which floats are computed, too. gcc has no such warnings.
 OURS += $(if $(findstring __clang__,$(macros)),-Wno-enum-float-conversion -Wno-enum-enum-conversion)
-target := $(firstword $(foreach name,x86_64 aarch64,$(if $(findstring __$(name)__,$(macros)),$(name))))
+target := $(firstword $(foreach name,x86_64 aarch64 wasm,$(if $(findstring __$(name)__,$(macros)),$(name))))
 isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
+isas_wasm := $(if $(findstring __wasm_simd128__,$(macros)),wasm,scalar)
 all_isas := $(or $(isas_$(target)),scalar)
 comma := ,
 space := $(subst ,, )
@@ -120,7 +121,7 @@ kernel_sse2 := -mno-sse3
 kernel_avx2 := -mavx2 -mbmi2 -mno-avx512f
 kernel_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl -mbmi2 -mprefer-vector-width=512
 # gcc spends a quarter of its time in kernels on the places of variables, for debuggers.
-kernel_flags := -fwrapv $(if $(findstring __clang__,$(macros)),,-fno-var-tracking-assignments)
+kernel_flags := -fwrapv $(if $(findstring __clang__,$(macros)),,-fno-var-tracking-assignments) $(if $(WASM),-O2)
 # For `make emulated`: AVX-512 kernels are compiled for AVX2.
 ifdef EMULATED
 kernel_avx512 := $(kernel_avx2) -Itests/emulated -Wno-psabi
@@ -132,7 +133,7 @@ for_isas = $(foreach isa,$(isas),$(1:%=$(BUILD)/%.$(isa).o))
 kernel_objects := $(call for_isas,$(kernels))
 core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c core/*/*/*.c)) $(kernel_objects) $(BUILD)/isas.o
 # For the shared library, whose header exports the only visible symbols.
-core_flags := -fPIC -fvisibility=hidden
+core_flags := $(if $(WASM),-ffunction-sections -fdata-sections,-fPIC) -fvisibility=hidden
 our_flags := $(subst ',,$(OURS) $(core_flags) $(kernel_flags) $(foreach isa,$(all_isas),$(kernel_$(isa))))
 $(core): OURS += $(core_flags)
 # The part of it that needs no library.
@@ -412,15 +413,17 @@ algorithms: ## the five algorithms against one another: 100 000 triangles and 40
 	ALGORITHM_TRIANGLES=100000 $(BUILD)/tests/property/test_polygons
 
 .PHONY: cross
-cross: ## the renderer built for arm64 and run under qemu: the same bytes as here, by every instruction set
-	@.ci/need cc=gcc stdlib.h=libc6-dev $(NEED_CROSS)
+cross: ## the renderer built for arm64 and run under qemu, and as WebAssembly in Node: the same bytes as here, by every instruction set
+	@.ci/need cc=gcc stdlib.h=libc6-dev $(NEED_CROSS) $(NEED_WASM_TEST)
+	@$(call wasm_make,simd) $(BUILD)/wasm/simd/zraster-cross
 	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/arm64 SAN= CC="$(CROSS_CC)" CFLAGS=-O2 LDFLAGS=-static isas="$(isas_aarch64)" \
 		$(BUILD)/arm64/zraster-cross
 	@$(MAKE) -s -j$(JOBS) compare-cross
 
 .PHONY: compare-cross
 compare-cross: $(BUILD)/zraster-cross
-	@tests/cross/compare.sh $< "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)"
+	@tests/cross/compare.sh $< "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)" \
+		"node --no-warnings tests/cross/wasi.mjs $(BUILD)/wasm/simd/zraster-cross" wasm
 
 .PHONY: same
 same: ## all answers of this build and of another, byte by byte: AGAINST=DIR (its build), SAME=quick, EXPECTED=FILE
@@ -840,6 +843,8 @@ $(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/support/
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libcore.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 $(BUILD)/tests/server/test_streams: $(BUILD)/server/mcp/unzip.o
+
+include make/wasm.mk
 
 # Without a compiler, one message says so and names the package.
 missing_compiler := $(if $(macros),,compiler)

@@ -231,7 +231,7 @@ static bool change_block(struct zr_arena *arena, size_t bytes)
     return true;
 }
 
-void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size)
+void *zr_arena_alloc(struct zr_arena *arena, uint64_t count, size_t size)
 {
     size_t bytes;
     if (arena->failed || !zr_mul_size(count, size, &bytes) || bytes > SIZE_MAX - ZR_ARENA_ALIGN - GAP)
@@ -247,10 +247,10 @@ void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size)
     return result;
 }
 
-void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size)
+void *zr_arena_zero(struct zr_arena *arena, uint64_t count, size_t size)
 {
     void *result = zr_arena_alloc(arena, count, size);
-    if (result && !zr_arena_clear(arena, result, count * size)) return fail(arena, 0);
+    if (result && !zr_arena_clear(arena, result, (size_t)count * size)) return fail(arena, 0);
     return result;
 }
 
@@ -270,7 +270,7 @@ bool zr_arena_clear(const struct zr_arena *arena, void *bytes, size_t size)
     return true;
 }
 
-void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size)
+void *zr_arena_grow(struct zr_arena *arena, void *old, uint64_t count, uint64_t new_count, size_t size)
 {
     size_t old_bytes, new_bytes;
     if (arena->failed || !zr_mul_size(count, size, &old_bytes) || !zr_mul_size(new_count, size, &new_bytes) ||
@@ -329,7 +329,7 @@ struct zr_arena zr_arena_open_scratch(struct zr_arena *arena)
         .ceiling = zr_arena_left(arena), .failed = arena->failed, .cancel = arena->cancel, .lender = arena};
 }
 
-void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size)
+void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, uint64_t count, size_t size)
 {
     const size_t held = scratch->held;
     if (!zr_arena_charge(arena, held)) return NULL;

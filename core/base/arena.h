@@ -15,6 +15,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 enum { ZR_ARENA_ALIGN = 64, ZR_ARENA_BLOCK = 2 << 20 };
 
@@ -60,11 +61,11 @@ size_t zr_arena_block_bytes(size_t bytes);
 void zr_arena_reset(struct zr_arena *arena, size_t keep);
 
 /* Return `count` objects of `size` bytes, aligned to ZR_ARENA_ALIGN, undefined or zero. Return NULL once the arena has
- * failed, or if count * size overflows. A count of 0 gives a pointer that must not be read. */
-void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size);
+ * failed, or if count * size overflows size_t, which has 32 bits in WebAssembly. A count of 0 gives a pointer that must not be read. */
+void *zr_arena_alloc(struct zr_arena *arena, uint64_t count, size_t size);
 
 /* The same, zeroed. The first access to large memory takes long: the arena fails once its `cancel` is raised. */
-void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size);
+void *zr_arena_zero(struct zr_arena *arena, uint64_t count, size_t size);
 
 /* Returns a copy of `size` bytes, or NULL once the arena has failed. The bytes may be NULL if `size` is 0. */
 void *zr_arena_copy(struct zr_arena *arena, const void *bytes, size_t size);
@@ -74,7 +75,7 @@ bool zr_arena_clear(const struct zr_arena *arena, void *bytes, size_t size);
 
 /* Returns a larger array with the first `count` objects of `old`, which may be NULL. It grows in place if `old` is the
  * newest allocation and its block has room. */
-void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size);
+void *zr_arena_grow(struct zr_arena *arena, void *old, uint64_t count, uint64_t new_count, size_t size);
 
 /* Shrinks an array of `count` objects to `new_count` if it is the newest allocation of its block; otherwise does
  * nothing. Unless the block is the current one, the bytes still count as held, until later allocations take them. */
@@ -89,7 +90,7 @@ void zr_arena_refund(struct zr_arena *arena, size_t bytes);
  * open, `arena` may only be used by zr_arena_alloc_beside, which counts both. It takes spare blocks of `arena`. Closing
  * makes its small blocks spares of `arena`, frees the others, and adds its peak and failure to `arena`. */
 struct zr_arena zr_arena_open_scratch(struct zr_arena *arena);
-void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size);
+void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, uint64_t count, size_t size);
 void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena);
 
 /* Memory that a part of the work has added to `used` and `held`, and bytes that it needed at once. */

@@ -3,11 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const NAMES[ZR_ISA_COUNT] = {[ZR_ISA_SCALAR] = "scalar",
-                                                [ZR_ISA_SSE2] = "sse2",
-                                                [ZR_ISA_AVX2] = "avx2",
-                                                [ZR_ISA_AVX512] = "avx512",
-                                                [ZR_ISA_NEON] = "neon"};
+static const char *const NAMES[ZR_ISA_COUNT] = {
+    [ZR_ISA_SCALAR] = "scalar", [ZR_ISA_SSE2] = "sse2", [ZR_ISA_AVX2] = "avx2",
+    [ZR_ISA_AVX512] = "avx512", [ZR_ISA_NEON] = "neon", [ZR_ISA_WASM] = "wasm"};
 
 const char *zr_isa_name(enum zr_isa isa)
 {
@@ -45,13 +43,15 @@ bool zr_isa_is_available(enum zr_isa isa)
                __builtin_cpu_supports("bmi2");
 #elif defined __aarch64__
     if (isa == ZR_ISA_NEON) return true;
+#elif defined __wasm_simd128__
+    if (isa == ZR_ISA_WASM) return true; /* a module with SIMD128 does not load without it */
 #endif
     return false;
 }
 
 enum zr_isa zr_isa_best(void)
 {
-    static const enum zr_isa by_width[] = {ZR_ISA_AVX512, ZR_ISA_AVX2, ZR_ISA_NEON, ZR_ISA_SSE2};
+    static const enum zr_isa by_width[] = {ZR_ISA_AVX512, ZR_ISA_AVX2, ZR_ISA_NEON, ZR_ISA_WASM, ZR_ISA_SSE2};
     for (unsigned i = 0; i < sizeof by_width / sizeof *by_width; i++)
         if (zr_isa_is_available(by_width[i])) return by_width[i];
     return ZR_ISA_SCALAR;

@@ -15,6 +15,8 @@
     entry(SCALAR, scalar, name) entry(SSE2, sse2, name) entry(AVX2, avx2, name) entry(AVX512, avx512, name)
 #elif defined __aarch64__
 #define ZR_EACH_ISA(entry, name) entry(SCALAR, scalar, name) entry(NEON, neon, name)
+#elif defined __wasm_simd128__ /* which loads nowhere else: plain C is another module */
+#define ZR_EACH_ISA(entry, name) entry(WASM, wasm, name)
 #else
 #define ZR_EACH_ISA(entry, name) entry(SCALAR, scalar, name)
 #endif
@@ -25,6 +27,7 @@ enum zr_isa {
     ZR_ISA_AVX2,   /* and BMI2 */
     ZR_ISA_AVX512, /* F, BW, DQ and VL, and BMI2 */
     ZR_ISA_NEON,
+    ZR_ISA_WASM, /* SIMD128 */
     ZR_ISA_COUNT
 };
 
@@ -44,7 +47,7 @@ enum zr_isa {
 #define ZR_KERNEL_DECLARATION(upper, lower, name) extern name##_kernel name##_##lower;
 #define ZR_KERNEL_ENTRY(upper, lower, name)       [ZR_ISA_##upper] = &name##_##lower,
 
-/* Returns "scalar", "sse2", "avx2", "avx512" or "neon". */
+/* Returns "scalar", "sse2", "avx2", "avx512", "neon" or "wasm". */
 const char *zr_isa_name(enum zr_isa isa);
 
 /* Finds an instruction set by name. False if none has that name. */

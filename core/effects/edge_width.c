@@ -48,7 +48,7 @@ static bool make_disc(struct width *width, struct zr_arena *arena)
 /* Extends every mark by `gap` < 64 to both sides. Reads words begin - 1 to end. */
 static void grow_step(const uint64_t *in, uint32_t begin, uint32_t end, uint32_t gap, uint64_t *out)
 {
-    for (ptrdiff_t i = begin; i < (ptrdiff_t)end; i++)
+    for (ptrdiff_t i = (ptrdiff_t)begin; i < (ptrdiff_t)end; i++)
         out[i] = in[i] | in[i] << gap | in[i - 1] >> (64 - gap) | in[i] >> gap | in[i + 1] << (64 - gap);
 }
 

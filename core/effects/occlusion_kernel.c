@@ -439,7 +439,7 @@ void ZR_KERNEL(zr_occlusion_places)(const struct zr_occlusion_map *map, const st
     for (uint32_t i = 0; i < list->count; i += ZR_LANES) {
         const struct beside columns = beside_of(zr_vf_load(list->x + i), side, map->pixels->width),
                             rows = beside_of(zr_vf_load(list->y + i), side, map->pixels->height);
-        const struct zr_vec3_v point = load3(values->point, i), normal = load3(values->normal, i);
+        const struct zr_vec3_v point = load3(values->point, (ptrdiff_t)i), normal = load3(values->normal, (ptrdiff_t)i);
         const zr_vm has_plane = zr_vf_lt_where(zr_vm_first(list->count - i), zr_vf_set(0.0f), zr_dot_v(normal, normal));
         const zr_vf light = between_any(map, &columns, &rows, has_plane, between_of(point, normal));
         zr_vf_store(out + i, zr_vf_select(has_plane, light, zr_vf_set(1.0f)));

@@ -29,7 +29,7 @@ static void *take(struct zr_binner *binner, size_t size)
     binner->free += size;
     return taken;
 }
-_Static_assert(sizeof(struct zr_bin_numbers) == 256, "fills a block of 256 bytes");
+_Static_assert(sizeof(void *) < 8 || sizeof(struct zr_bin_numbers) == 256, "fills a block of 256 bytes");
 
 struct zr_bin_head *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin, size_t size)
 {

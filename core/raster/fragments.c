@@ -3,7 +3,7 @@
 /* For the lists of a whole window: takes some milliseconds at the first access to their memory. */
 enum { PLACES_PER_CANCEL_CHECK = 1 << 20 };
 
-static void *take(struct zr_arena *arena, pthread_mutex_t *lock, size_t count, size_t size)
+static void *take(struct zr_arena *arena, pthread_mutex_t *lock, uint64_t count, size_t size)
 {
     if (lock) pthread_mutex_lock(lock);
     void *taken = zr_arena_alloc(arena, count, size);

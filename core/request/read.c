@@ -43,7 +43,8 @@ static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
         points += scene->meshes[scene->instances[i].mesh].position_count;
     const uint64_t point_bytes = sizeof(struct zr_window_vertex) + sizeof(struct zr_eye);
     if (points <= zr_arena_left(arena) / point_bytes) return true;
-    return zr_arena_charge(arena, points < SIZE_MAX / point_bytes ? points * point_bytes : SIZE_MAX); /* fails */
+    return zr_arena_charge(arena,
+                           points < SIZE_MAX / point_bytes ? (size_t)(points * point_bytes) : SIZE_MAX); /* fails */
 }
 
 /* Returns the number of bytes skipped. */

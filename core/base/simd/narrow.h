@@ -1,4 +1,5 @@
-/* narrow.h - base: the rest of base/simd/simd.h for vectors of one lane (plain C) and of four (SSE2, NEON). */
+/* narrow.h - base: the rest of base/simd/simd.h for vectors of one lane (plain C) and of four (SSE2, NEON,
+ * WebAssembly). */
 #ifndef ZR_SIMD_NARROW_H
 #define ZR_SIMD_NARROW_H
 
@@ -227,6 +228,53 @@ static inline void zr_vi_stream(void *p, zr_vi v)
     _mm_stream_si128((__m128i *)p, (__m128i)v);
 }
 
+/* ---- WebAssembly ---- */
+
+#elif defined ZR_KERNEL_WASM
+
+/* pmin(b, a) is a < b ? a : b. */
+ZR_UNARY(zr_vf, zr_vf_sqrt, zr_vf, v128_t, wasm_f32x4_sqrt)
+ZR_UNARY(zr_vd, zr_vd_sqrt, zr_vd, v128_t, wasm_f64x2_sqrt)
+ZR_UNARY(uint32_t, zr_vm_bits, zr_vm, v128_t, wasm_i32x4_bitmask)
+ZR_BINARY(zr_vi, zr_vi_min, zr_vi, v128_t, wasm_i32x4_min)
+ZR_BINARY(zr_vi, zr_vi_max, zr_vi, v128_t, wasm_i32x4_max)
+ZR_BINARY(zr_vp, zr_vp_pack, zr_vi, v128_t, wasm_i16x8_narrow_i32x4)
+ZR_BINARY(zr_vp, zr_vp_min, zr_vp, v128_t, wasm_i16x8_min)
+ZR_BINARY(zr_vp, zr_vp_max, zr_vp, v128_t, wasm_i16x8_max)
+
+static inline zr_vf zr_vf_min(zr_vf a, zr_vf b)
+{
+    return (zr_vf)wasm_f32x4_pmin((v128_t)b, (v128_t)a);
+}
+static inline zr_vf zr_vf_max(zr_vf a, zr_vf b)
+{
+    return (zr_vf)wasm_f32x4_pmax((v128_t)b, (v128_t)a);
+}
+static inline zr_vd zr_vd_min(zr_vd a, zr_vd b)
+{
+    return (zr_vd)wasm_f64x2_pmin((v128_t)b, (v128_t)a);
+}
+static inline zr_vd zr_vd_max(zr_vd a, zr_vd b)
+{
+    return (zr_vd)wasm_f64x2_pmax((v128_t)b, (v128_t)a);
+}
+/* 1.5 * 2^23 leaves no bits behind the point: the sum is rounded to even, and its bits count from those of 1.5 * 2^23.
+ * Conversions of WebAssembly truncate and check for NaN, which takes five times as many instructions. */
+static inline zr_vi zr_vi_round(zr_vf a)
+{
+    return (zr_vi)(a + 0x1.8p23f) - 0x4b400000;
+}
+static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
+{
+    const zr_vi y_x = (zr_vi)((zr_vm)b << 16 | (zr_vm)b >> 16);
+    const zr_vp sign = (zr_vp)zr_vi_set((int32_t)0xffff0000);
+    return (zr_vi)wasm_i32x4_dot_i16x8((v128_t)a, (v128_t)(((zr_vp)y_x ^ sign) - sign)); /* y, -x */
+}
+static inline void zr_vi_stream(void *p, zr_vi v)
+{
+    zr_vi_store(p, v);
+}
+
 /* ---- plain C and NEON ---- */
 
 #else
@@ -283,7 +331,7 @@ static inline zr_vd zr_vd_max(zr_vd a, zr_vd b)
     return (zr_vd)vbslq_f64((uint64x2_t)(a > b), (float64x2_t)a, (float64x2_t)b);
 }
 
-#else
+#elif !defined ZR_KERNEL_WASM
 
 static inline zr_vi zr_vi_min(zr_vi a, zr_vi b)
 {

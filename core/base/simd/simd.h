@@ -85,6 +85,9 @@
 #elif defined ZR_KERNEL_NEON
 #define ZR_SUFFIX neon
 #define ZR_LANES  4
+#elif defined ZR_KERNEL_WASM
+#define ZR_SUFFIX wasm
+#define ZR_LANES  4
 #elif defined ZR_KERNEL_AVX2
 #define ZR_SUFFIX avx2
 #define ZR_LANES  8

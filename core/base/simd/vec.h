@@ -6,6 +6,8 @@
 
 #if defined ZR_KERNEL_NEON
 #include <arm_neon.h>
+#elif defined ZR_KERNEL_WASM
+#include <wasm_simd128.h>
 #elif !defined ZR_KERNEL_SCALAR
 #include <immintrin.h>
 #endif

@@ -1,0 +1,10 @@
+/* errors.mjs - what the renderer refuses. */
+export class ZrasterError extends Error {
+  /** status: a word such as 'bad-scene'; faults: { pointer, detail } each. */
+  constructor(status, message, faults = []) {
+    super(message || status);
+    this.name = 'ZrasterError';
+    this.status = status;
+    this.faults = faults;
+  }
+}

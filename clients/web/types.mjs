@@ -1,0 +1,19 @@
+/* types.mjs MODULE: prints options.d.ts, from the rows of the renderer. */
+import { readFile } from 'node:fs/promises';
+import { load } from './zraster.mjs';
+
+const z = await load(readFile(process.argv[2])), { parameters, keys } = z.tables;
+const NUMBERS = ['UNITS', 'WHOLE', 'NUMBER', 'PIXEL', 'PIXELS', 'DEGREES', 'SECONDS', 'SIDE', 'COUNT'];
+
+function type(row) {
+  if (NUMBERS.includes(row.value)) return 'number';
+  return row.value === 'BOOL' ? 'boolean' : 'string | number | boolean | readonly (string | number)[] | object';
+}
+
+const names = new Map(keys.map(row => [row.name, { help: row.help, type: 'unknown' }]));
+for (const row of parameters) names.set(row.name, { help: row.help, type: type(row) });
+console.log('/* Options of draw and read: the parameters of queries and the keys of scenes. Written by types.mjs. */');
+console.log('export interface Options {');
+for (const [name, { help, type }] of [...names].sort(([a], [b]) => (a < b ? -1 : 1)))
+  console.log(`  /** ${String(help).replaceAll('*/', '* /')} */\n  ${name}?: ${type};`);
+console.log('}');

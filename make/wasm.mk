@@ -1,0 +1,88 @@
+# zraster as WebAssembly: build/wasm/zraster.wasm, for engines with SIMD128, and zraster-scalar.wasm for those without. One make
+# for each of both, with WASM=1. Included by the Makefile.
+
+NEED_WASM := clang-19=clang-19 /usr/lib/llvm-19/bin/wasm-ld=lld-19 /usr/include/wasm32-wasi/stdlib.h=wasi-libc \
+	/usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a=libclang-rt-19-dev-wasm32 \
+	dpkg-source=dpkg-dev patch=patch xz=xz-utils
+# Runs the modules.
+NEED_WASM_TEST := $(NEED_WASM) node=nodejs
+WASM_CC ?= clang-19
+WASM_CFLAGS ?= -Os
+wasm := $(BUILD)/wasm
+wasm_make = $(MAKE) -s -j$(JOBS) WASM=1 BUILD=$(wasm)/$(1) CC="$(WASM_CC) --target=wasm32-wasi" CFLAGS="$(WASM_CFLAGS) $(wasm_flags_$(1))" SAN= isas=$(wasm_isa_$(1)) REFERENCE=egl
+wasm_flags_simd := -msimd128
+wasm_isa_simd := wasm
+wasm_isa_scalar := scalar
+
+.PHONY: wasm
+wasm: ## zraster as WebAssembly: build/wasm/zraster.wasm, zraster-scalar.wasm, and the licences of their parts
+	@.ci/need $(NEED_WASM)
+	@make/wasm/sources.sh $(wasm)/sources
+	@$(call wasm_make,simd) $(wasm)/simd/zraster.wasm
+	@$(call wasm_make,scalar) $(wasm)/scalar/zraster.wasm
+	@cp $(wasm)/simd/zraster.wasm $(wasm)/zraster.wasm
+	@cp $(wasm)/scalar/zraster.wasm $(wasm)/zraster-scalar.wasm
+	@make/wasm/licences.sh $(wasm)/sources >$(wasm)/LICENCES.txt
+	@make/wasm/package.sh $(wasm) $(BUILD)/npm/zraster
+
+.PHONY: wasm-test
+wasm-test: ## the modules in Node: pixels of all scenes and of models as by the command, errors, memory, size
+	@.ci/need $(NEED_COMMAND) $(NEED_WASM_TEST)
+	@$(MAKE) -s wasm
+	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
+	@DATA="$(DATA)" tests/web/run.sh $(BUILD)
+
+.PHONY: npm
+npm: ## the package zraster for npm: build/npm/zraster-*.tgz
+	@.ci/need npm=npm
+	@$(MAKE) -s wasm
+	@cd $(BUILD)/npm && npm pack --silent ./zraster
+
+ifdef WASM
+sources := $(dir $(BUILD))sources
+codec_includes := -I$(sources)/include -I$(sources)/png -I$(sources)/zlib -I$(sources)/jpeg -I$(sources)/webp -I$(sources)/webp/src
+CPPFLAGS += $(codec_includes) -D_WASI_EMULATED_GETPID
+jumps := -mllvm -wasm-enable-sjlj -mexception-handling
+
+# Of each codec, what makes its library. zlib is libpng's own; core/ uses libisal.
+codec_sources := $(addprefix $(sources)/zlib/,$(addsuffix .c,adler32 compress crc32 deflate inffast inflate inftrees trees uncompr zutil)) \
+	$(addprefix $(sources)/png/,$(addsuffix .c,png pngerror pngget pngmem pngpread pngread pngrio pngrtran pngrutil pngset pngtrans pngwio pngwrite pngwtran pngwutil)) \
+	$(addprefix $(sources)/isal/igzip/,$(addsuffix .c,igzip hufftables_c igzip_base igzip_icf_base adler32_base flatten_ll encode_df igzip_icf_body \
+		igzip_base_aliases proc_heap_base huff_codes igzip_inflate)) \
+	$(addprefix $(sources)/isal/crc/,$(addsuffix .c,crc_base crc_base_aliases crc64_base)) \
+	$(wildcard $(addsuffix /*.c,$(addprefix $(sources)/webp/,src/dec src/enc src/dsp src/utils sharpyuv))) \
+	$(addprefix $(sources)/jpeg/,$(addsuffix .c,jcapimin jcapistd jccoefct jccolor jcdctmgr jchuff jcicc jcinit jcmainct jcmarker jcmaster jcomapi \
+		jcparam jcphuff jcprepct jcsample jctrans jdapimin jdapistd jdatadst jdatasrc jdcoefct jdcolor jddctmgr jdhuff jdicc jdinput jdmainct jdmarker \
+		jdmaster jdmerge jdphuff jdpostct jdsample jdtrans jerror jfdctflt jfdctfst jfdctint jidctflt jidctfst jidctint jidctred jquant1 jquant2 \
+		jutils jmemmgr jmemnobs jsimd_none jcarith jdarith jaricom))
+codecs := $(codec_sources:$(sources)/%.c=$(BUILD)/codecs/%.o)
+$(BUILD)/codecs/isal/%.o: codec_includes += -I$(sources)/isal/include -I$(sources)/isal/igzip -I$(sources)/isal/crc
+$(BUILD)/codecs/png/%.o: codec_includes += $(jumps)
+$(BUILD)/codecs/%.o: $(sources)/%.c | $(missing_compiler)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $(EXACT) -ffunction-sections -fdata-sections -fvisibility=hidden -DNDEBUG -DHAVE_UNISTD_H -w -Imake/wasm/include $(codec_includes) -c -o $@ $<
+
+# A module is fetched, so it is small: kernels and what compresses are fast, what is not run for each pixel is smaller still.
+small_rooms := api cost input lines measure mesh output overlay request scene schema sections views
+small := $(filter-out %_kernel.$(isas).o,$(filter $(foreach room,$(small_rooms),$(BUILD)/core/$(room)/%),$(core)))
+$(small): CPPFLAGS += -Oz
+$(BUILD)/codecs/png/%.o $(BUILD)/codecs/jpeg/%.o $(BUILD)/codecs/webp/%.o: codec_includes += -Oz
+$(BUILD)/codecs/jpeg/%.o: codec_includes += -DUSE_CLZ_INTRINSIC
+$(BUILD)/codecs/isal/%.o $(BUILD)/codecs/zlib/%.o: codec_includes += -O2
+
+# What errors of libpng and libjpeg jump out of. No machine has files that tell of its spare memory.
+jumping := $(patsubst %.c,$(BUILD)/%.o,$(shell grep -l '<setjmp.h>' core/*/*/*.c))
+$(jumping): OURS += $(jumps)
+wasm_core := $(filter-out $(BUILD)/core/api/spare_memory.o $(BUILD)/core/api/control_group.o,$(core)) $(BUILD)/make/wasm/runtime.o
+$(BUILD)/make/wasm/runtime.o: OURS += -mexception-handling
+
+paren := (
+wasm_exports := malloc free $(shell sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)$(paren).*/\1/p' core/api/zraster.h)
+# The stack comes first, so that one that overflows traps. The memory is its caller's, with a maximum.
+WASM_LINK := -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,-z,stack-size=4194304 -Wl,--stack-first -Wl,--import-memory -Wl,--initial-memory=8388608 \
+	-Wl,--max-memory=4294967296
+$(BUILD)/zraster.wasm: $(wasm_core) $(codecs) make/wasm.mk
+	$(Q)$(CC) $(CFLAGS) $(WASM_LINK) $(addprefix -Wl$(comma)--export=,$(wasm_exports)) -o $@ $(filter %.o,$^) -lm -lwasi-emulated-getpid
+
+$(BUILD)/zraster-cross: LDFLAGS += -Wl,-z,stack-size=4194304 -Wl,--stack-first
+endif
