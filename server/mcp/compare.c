@@ -84,7 +84,7 @@ static enum mcp_draw_status run(const struct mcp_host *host, const struct mcp_co
                                 struct mcp_faults *faults, struct mcp_text *result)
 {
     struct mcp_told *told = host->compare ? host->allocate(host->context, sizeof *told) : NULL;
-    if (!host->compare) mcp_fault(faults, "", "this server does not compare models");
+    if (!told) mcp_fault(faults, "", host->compare ? "out of memory" : "this server does not compare models");
     if (!told) return MCP_REFUSED;
     *told = (struct mcp_told){.json = NULL};
     const enum mcp_draw_status status = host->compare(host->context, compare, told);

@@ -105,7 +105,7 @@ static enum mcp_draw_status run(struct mcp_job *job, const struct mcp_draw *draw
     const struct mcp_host *host = job->host;
     const bool is_svg = is_word(job, "format", "svg");
     struct mcp_told *told = host->drawing ? host->allocate(host->context, sizeof *told) : NULL;
-    if (!host->drawing) mcp_fault(&job->faults, "", "this server makes no technical drawings");
+    if (!told) mcp_fault(&job->faults, "", host->drawing ? "out of memory" : "this server makes no technical drawings");
     if (!told) return MCP_REFUSED;
     *told = (struct mcp_told){.json = NULL};
     enum mcp_draw_status status = host->drawing(host->context, draw, query, told);

@@ -346,6 +346,8 @@ class Drawings(unittest.TestCase):
         mesh = PLATE["meshes"][0]
         opened = {"meshes": [{**mesh, "name": "open", "faces": mesh["faces"][:-1]}]}
         self.assertEqual(zraster.drawing(PLATE, section="x").warnings, [])
+        facts = zraster.drawing(PLATE, page="a4").facts
+        self.assertEqual((facts["page"], facts["scale"], facts["warnings"]), ("a4", "1:1", []))
         self.assertIn("not closed", " ".join(zraster.drawing(opened, section="x").warnings))
 
     def test_refusals(self):

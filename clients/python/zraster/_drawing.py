@@ -1,6 +1,7 @@
 """Technical drawings as SVG and PNG."""
 from __future__ import annotations
 
+import json
 import os
 import warnings
 from ctypes import byref, c_void_p, string_at
@@ -20,6 +21,7 @@ class Drawing:
 
     data: bytes of the file
     type: "image/svg+xml" or "image/png"
+    facts: summary in one line, page, scale, projection, units of the file, width, height and depth in millimetres, holes
     warnings: holes without a note, parts without a cap, and so on
     """
 
@@ -27,6 +29,7 @@ class Drawing:
         found = c.library.drawing_file(handle.pointer)
         self.data: bytes = string_at(found.data, found.size)
         self.type: str = found.type.decode()
+        self.facts: Dict[str, Any] = json.loads(c.library.drawing_json(handle.pointer))
         self.warnings: List[str] = []
         while True:
             text = c.library.drawing_warning(handle.pointer, len(self.warnings))

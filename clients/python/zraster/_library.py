@@ -116,6 +116,7 @@ _FUNCTIONS = {  # name: result, arguments
     "comparison_free": (None, c_void_p),
     "drawing_make": (c_int, c_void_p, c_char_p, c_void_p, POINTER(c_void_p), POINTER(c_void_p)),
     "drawing_file": (Bytes, c_void_p),
+    "drawing_json": (c_char_p, c_void_p),
     "drawing_warning": (c_char_p, c_void_p, c_size_t),
     "drawing_free": (None, c_void_p),
     "references": (c_size_t, c_char_p, c_size_t, c_char_p, c_char_p, c_size_t),
