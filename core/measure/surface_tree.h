@@ -23,6 +23,8 @@ struct zr_surface_box {
 
 struct zr_surface_face {
     struct zr_world_place at[3];
+    struct zr_world_place normal; /* of its plane, unit length; 0 without an area */
+    double offset;                /* along the normal */
     uint32_t triangle;
 };
 
@@ -35,7 +37,7 @@ struct zr_surface_tree {
     const struct zr_surface_box *boxes;  /* per node; 1 is the root */
 };
 
-/* Makes the tree in the arena: about 95 bytes per triangle. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Makes the tree in the arena: about 130 bytes per triangle. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_surface_tree_make(const struct zr_run *run, const struct zr_solid *solid,
                                     struct zr_surface_tree *out);
 
