@@ -66,14 +66,15 @@
         "every Nth file of the list, beginning with file I, from 0; the shards 0/N to N-1/N draw each file once")      \
     ROW(JSON, "json", 0, NULL, "ibc", "JSON on standard output: the facts, the numbers, or one line per file")         \
     ROW(EXPECT, "expect", 0, "JSON|FILE", "i",                                                                         \
-        "expected facts, such as {\"box\": [40, 24, 12], \"holes\": [{\"diameter\": 5, \"count\": 4}]}; exit status 4 if one "  \
+        "expected facts, such as {\"box\": [40, 24, 12], \"holes\": [{\"diameter\": 5, \"count\": 4}]}; exit status "  \
+        "4 if one "                                                                                                    \
         "differs")                                                                                                     \
     ROW(TOLERANCE, "tolerance", 0, "LENGTH", "c",                                                                      \
         "largest distance between surfaces, or steps between colours, that count as the same (default: models: a "     \
         "millionth of the size; pictures: 0)")                                                                         \
     ROW(ALIGN, "align", 0, "HOW", "c",                                                                                 \
         "motion of the second model before: none, bounds, principal or icp (default: none)")                           \
-    ROW(RESCALE, "rescale", 0, NULL, "c", "scaling of the second model by --align")                                     \
+    ROW(RESCALE, "rescale", 0, NULL, "c", "scaling of the second model by --align")                                    \
     ROW(PICTURE, "picture", 0, "KIND", "c",                                                                            \
         "picture of two models for -o: difference, deviation or side (default: difference)")
 #define DRAWING_OPTION_ROWS(ROW)                                                                                       \

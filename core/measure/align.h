@@ -8,8 +8,8 @@
  *            beyond two and a half times the median distance do not count, so that a changed feature moves nothing.
  * Identity:  the given place wins unless another one is 5 % better.
  * Symmetric: places within 5 % of the best one are listed as ambiguous.
- * Scaled:    only if allowed: sizes are made equal before, by the diagonals of the boxes, or by the moments. Refining then
- *            scales, too.
+ * Scaled:    only if allowed: sizes are made equal before, by the diagonals of the boxes, or by the moments. Refining
+ *            then scales, too.
  * Mirrored:  reflections are never taken; is_mirrored says that one would be much better.
  * Work:      counted in steps of searching; beyond ZR_ALIGN_STEPS nothing is moved.
  * Exact:     one thread, without libm but for sqrt.
@@ -46,7 +46,8 @@ enum zr_status zr_align_find(const struct zr_run *run, const struct zr_surface_t
 struct zr_rigid zr_align_size(const struct zr_solid *a, const struct zr_solid *b, enum zr_align kind,
                               const struct zr_cancel *cancel);
 
-/* Moves a solid, and its area, volume and diagonal if it is scaled. If cancelled, returns early, and the solid is undefined. */
+/* Moves a solid, and its area, volume and diagonal if it is scaled. If cancelled, returns early, and the solid is
+ * undefined. */
 void zr_align_move(struct zr_solid *solid, const struct zr_rigid *motion, const struct zr_cancel *cancel);
 
 #endif

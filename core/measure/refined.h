@@ -4,6 +4,7 @@
  *         enters another class. Both faces of an edge decide alike, so there are no gaps.
  * Class:  near (the distance is at most `near`), outside or inside the other solid. The class of a triangle is that of
  *         most of its corners. Distances from an open solid have no sign: it has no inside.
+ * Search: edges that balls without the other surface cover, around their ends, are not looked at.
  * Work:   each round halves edges; a round that would give more than ZR_REFINED_MOST triangles beyond those of the
  *         solid is not begun. Beyond ZR_REFINED_STEPS of searching, there is no result.
  * Exact:  the same for all numbers of threads.

@@ -32,8 +32,8 @@ struct zr_regions {
     struct zr_region at[ZR_REGIONS_MAX]; /* largest volumes first */
 };
 
-/* Finds the regions of two closed solids on the rays of one oblique direction. Takes scratch from the arena and gives it
- * back. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Finds the regions of two closed solids on the rays of one oblique direction. Takes scratch from the arena and gives
+ * it back. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_regions_find(const struct zr_run *run, const struct zr_ray_lists *lists, double thin,
                                struct zr_regions *out);
 

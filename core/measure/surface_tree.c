@@ -194,6 +194,8 @@ static void fill_leaves(void *context, size_t from, size_t to)
             struct zr_surface_face *face = &m->faces[i];
             face->triangle = m->items[i].triangle;
             zr_solid_places(solid, face->triangle, face->at);
+            face->normal = zr_surface_normal(solid, face->triangle);
+            face->offset = zr_world_place_dot(face->normal, face->at[0]);
             for (int k = 0; k < 3; k++)
                 include(box, face->at[k]);
         }
@@ -291,6 +293,13 @@ static double square_of_box(const struct zr_surface_box *box, const double at[3]
     return sum;
 }
 
+/* True if the plane of a face is not nearer than what is found. `slack`: more than the rounding errors. */
+static bool is_plane_far(const struct zr_surface_face *face, struct zr_world_place from, double slack, double square)
+{
+    const double gap = fabs(zr_world_place_dot(face->normal, from) - face->offset) - slack;
+    return gap > 0.0 && gap * gap >= square;
+}
+
 static void search(const struct zr_surface_tree *tree, struct zr_world_place from, double enough,
                    struct zr_surface_hit *hit, uint64_t *steps)
 {
@@ -300,13 +309,15 @@ static void search(const struct zr_surface_tree *tree, struct zr_world_place fro
         double square;
     } stack[DEPTH] = {{1, 0.0}};
     uint64_t visits = 1;
+    const double slack = 1e-14 * (tree->solid->diagonal + (fabs(from.x) + fabs(from.y) + fabs(from.z)));
     for (int depth = 1; depth > 0 && hit->square > enough && !is_ended(tree, visits); visits++) {
         const uint32_t node = stack[--depth].node;
         if (!(stack[depth].square < hit->square)) continue;
         if (node >= tree->leaf_count) {
             const uint32_t begin = tree->begins[node - tree->leaf_count];
             for (uint32_t i = begin; i < tree->solid->count && i < begin + ZR_SURFACE_LEAF; i++, visits++)
-                look(tree->faces[i].at, tree->faces[i].triangle, from, hit);
+                if (!is_plane_far(&tree->faces[i], from, slack, hit->square))
+                    look(tree->faces[i].at, tree->faces[i].triangle, from, hit);
             continue;
         }
         const double left = square_of_box(&tree->boxes[2 * node], at),

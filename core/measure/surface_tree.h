@@ -23,6 +23,8 @@ struct zr_surface_box {
 
 struct zr_surface_face {
     struct zr_world_place at[3];
+    struct zr_world_place normal; /* of its plane, unit length; 0 without an area */
+    double offset;                /* along the normal */
     uint32_t triangle;
 };
 
@@ -35,7 +37,7 @@ struct zr_surface_tree {
     const struct zr_surface_box *boxes;  /* per node; 1 is the root */
 };
 
-/* Makes the tree in the arena: about 95 bytes per triangle. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
+/* Makes the tree in the arena: about 130 bytes per triangle. Fails with ZR_NO_MEMORY or ZR_CANCELLED. */
 enum zr_status zr_surface_tree_make(const struct zr_run *run, const struct zr_solid *solid,
                                     struct zr_surface_tree *out);
 
@@ -54,7 +56,8 @@ void zr_surface_tree_nearest(const struct zr_surface_tree *tree, struct zr_world
 /* Returns the winding number of a place. Adds to *steps. */
 int zr_surface_tree_winding(const struct zr_surface_tree *tree, struct zr_world_place at, uint64_t *steps);
 
-/* The same for a place at most `reach` away. Returns false, with *hit undefined but for its triangle, if there is none. */
+/* The same for a place at most `reach` away. Returns false, with *hit undefined but for its triangle, if there is
+ * none. */
 bool zr_surface_tree_within(const struct zr_surface_tree *tree, struct zr_world_place from, double reach,
                             struct zr_surface_hit *hit, uint64_t *steps);
 
@@ -66,8 +69,9 @@ struct zr_surface_ball {
     int winding;
 };
 
-/* Returns the winding number of a place that no surface is nearer to than `distance`: that of the last ball if the place
- * lies in it, or its middle in the ball of the place. *last becomes the ball of the place. */
+/* Returns the winding number of a place that no surface is nearer to than `distance`: that of the last ball if the
+ * place lies in it, or its middle in the ball of the place; else the crossings on the way between both are added.
+ * *last becomes the ball of the place, unless the surface is nearer than rounding errors. */
 int zr_surface_tree_winding_beside(const struct zr_surface_tree *tree, struct zr_world_place at, double distance,
                                    struct zr_surface_ball *last, uint64_t *steps);
 

@@ -57,7 +57,7 @@ static enum zr_status read_switch(const char *value, size_t size, const char *na
     return zr_error_add(error, ZR_BAD_REQUEST, name, "one of: on, off");
 }
 
-static const char *const parameters[] = {"align", "deviation", "features",  "look", "precision",
+static const char *const parameters[] = {"align",   "deviation", "features",  "look", "precision",
                                          "rescale", "show",      "tolerance", "view"};
 
 bool zr_compare_has_parameter(const char *text)
@@ -104,9 +104,10 @@ static enum zr_status read_parameter(const char *text, size_t size, struct wante
     }
     if (is_word(text, name, "look")) return copy_word(value, length, "look", out->picture.look, error);
     if (is_word(text, name, "view")) return copy_word(value, length, "view", out->picture.view, error);
-    return zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                        "unknown parameter; those of comparisons are align, deviation, features, look, precision, rescale, "
-                        "show, tolerance, view");
+    return zr_error_add(
+        error, ZR_BAD_REQUEST, NULL,
+        "unknown parameter; those of comparisons are align, deviation, features, look, precision, rescale, "
+        "show, tolerance, view");
 }
 
 static enum zr_status read_query(const char *query, struct wanted *out, struct zr_error *error)

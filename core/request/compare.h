@@ -32,8 +32,8 @@ double zr_compare_cost_ms(const struct zr_scene *a, const struct zr_scene *b, co
  *   show=difference    makes a scene, too: deviation or side (request/compare_scene.h); else "none"
  *   look=NAME          look of that scene; "studio"
  *   view=PRESET        its camera, such as front
- * The scene is in run->arena, which may be NULL without `show`; all else is in run->scratch. Fails with ZR_BAD_REQUEST for
- * other parameters, or as zr_comparison_make. */
+ * The scene is in run->arena, which may be NULL without `show`; all else is in run->scratch. Fails with
+ * ZR_BAD_REQUEST for other parameters, or as zr_comparison_make. */
 enum zr_status zr_compare(const struct zr_run *run, const struct zr_scene *a, const struct zr_scene *b,
                           const char *query, struct zr_compare_answer *answer);
 
