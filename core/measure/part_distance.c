@@ -147,10 +147,7 @@ static void compare_leaves(struct pair *pair, uint32_t a, uint32_t b)
     const uint32_t i0 = s->begins[a - s->leaf_count], k0 = t->begins[b - t->leaf_count];
     for (uint32_t i = i0; i < s->solid->count && i < i0 + ZR_SURFACE_LEAF; i++)
         for (uint32_t k = k0; k < t->solid->count && k < k0 + ZR_SURFACE_LEAF && !pair->crosses; k++) {
-            place p[3], q[3];
-            zr_solid_places(s->solid, s->order[i], p);
-            zr_solid_places(t->solid, t->order[k], q);
-            compare_triangles(pair, p, q);
+            compare_triangles(pair, s->faces[i].at, t->faces[k].at);
             pair->steps++;
         }
 }

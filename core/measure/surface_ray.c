@@ -62,10 +62,8 @@ double zr_surface_ray_exit(const struct zr_surface_tree *tree, uint32_t part, st
         if (node >= tree->leaf_count) {
             const uint32_t begin = tree->begins[node - tree->leaf_count];
             for (uint32_t i = begin; i < tree->solid->count && i < begin + ZR_SURFACE_LEAF; i++, ++*steps) {
-                struct zr_world_place p[3];
-                if (tree->solid->parts[tree->order[i]] != part) continue;
-                zr_solid_places(tree->solid, tree->order[i], p);
-                look(&ray, p);
+                const struct zr_surface_face *face = &tree->faces[i];
+                if (tree->solid->parts[face->triangle] == part) look(&ray, face->at);
             }
             continue;
         }
