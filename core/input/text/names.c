@@ -6,8 +6,8 @@
 
 #include "input/text/nearest.h"
 #include "input/text/text.h"
+#include "parameter_kinds.h"
 #include "scene/algorithm.h"
-#include "scene/annotate_words.h"
 #include "scene/camera/mesh_up.h"
 #include "scene/colormap.h"
 #include "scene/light_types.h"

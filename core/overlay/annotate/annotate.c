@@ -12,7 +12,7 @@
 #include "overlay/annotate/part_labels.h"
 #include "overlay/annotate/place_dimensions.h"
 #include "overlay/color_bar.h"
-#include "scene/annotate_words.h"
+#include "parameter_kinds.h"
 #include "scene/camera/mesh_up.h"
 
 static const char *const words[ZR_ANNOTATE_COUNT] = {ZR_ANNOTATE_WORDS};
