@@ -28,4 +28,7 @@
     KIND(BACKGROUND, "COLOR")                                                                                          \
     KIND(OUTLINE, "COLOR") /* true, false, or opaque */
 
+/* Words of the kind WORDS: those of annotate, in the order of enum zr_annotation (scene/annotate.h). */
+#define ZR_ANNOTATE_WORDS "box", "title", "triad", "scale", "labels", "holes"
+
 #endif

@@ -1,4 +1,4 @@
-/* picks.h - render: the surfaces at picked pixels (scene/picks.h), for the channel info.
+/* picks.h - render: the surfaces at picked pixels (zr_view.picks), for the channel info.
  *
  * Pick:   the surface that the channel faceId has at the pixel's centre; if it has none, the nearest translucent one.
  *         Surfaces behind it are listed, those in front of it, which are translucent, are not.

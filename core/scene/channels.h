@@ -68,7 +68,7 @@ enum zr_values {
     ROW(FLOW, "flow",                                                                                                  \
         "motion of the visible point to another view or pose, in pixels, and whether it is visible there", FLOAT32, 3, \
         NAN, true, 0, ZR_ENCODING_NPY, ZR_ENCODING_PFM, ZR_ENCODING_TIFF)                                              \
-    /* render/wall_channel.h */                                                                                        \
+    /* render/layers/wall_channel.h */                                                                                 \
     ROW(WALL, "wall", "thickness of the part behind the visible point, along the normal of the face, in scene units",  \
         FLOAT32, 1, ZERO, false, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG, ZR_ENCODING_PNG16, ZR_ENCODING_PFM,              \
         ZR_ENCODING_TIFF)                                                                                              \

@@ -78,8 +78,8 @@ static inline bool zr_view_has_masks(const struct zr_view *view)
     return view->has_visibility || zr_view_wants(view, ZR_CHANNEL_MASKS);
 }
 
-/* True if an output has pixels of the channel, or if `info`, picks, notes of holes, `fragments` or the covered pixels of a `trace` are
- * computed from them. */
+/* True if an output has pixels of the channel, or if `info`, picks, notes of holes, `fragments` or the covered pixels
+ * of a `trace` are computed from them. */
 static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel channel)
 {
     const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) || zr_view_picks(view) ||

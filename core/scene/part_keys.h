@@ -44,4 +44,11 @@ static inline bool zr_part_keys_are_given(const struct zr_part_keys *keys)
            keys->explode != 0.0 || keys->colors == ZR_COLORS_PARTS || keys->csg.count > 0;
 }
 
+/* Two parts, by name, whose distance the output info lists (measure/part_distance.h). */
+enum { ZR_DISTANCES_MAX = 64 };
+
+struct zr_part_pair {
+    const char *parts[2];
+};
+
 #endif

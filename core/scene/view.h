@@ -7,7 +7,6 @@
 
 #include "base/vec.h"
 #include "scene/annotate.h"
-#include "scene/picks.h"
 
 enum zr_pose {
     ZR_POSE_PRESET,    /* fitted to the geometry */
@@ -62,6 +61,14 @@ enum { ZR_CHANNELS_MAX = 32 };
 
 /* Bounds of the channel trace: sides of the window, primitives, and steps. */
 enum { ZR_TRACE_SIDE_MAX = 64, ZR_TRACE_PRIMITIVES_MAX = 64, ZR_TRACE_STEPS_MAX = 20000 };
+
+/* Pixels of a view whose surfaces the output info describes (render/picks.h). */
+enum { ZR_PICKS_MAX = 64 };
+
+struct zr_pick_pixels {
+    uint32_t count;
+    const uint32_t (*at)[2]; /* column from the left, row from the top */
+};
 
 struct zr_view {
     uint32_t width, height; /* of the window, pixels */

@@ -25,8 +25,8 @@ policy_hash() { # FILE
         }'
 }
 
-# The text between the tags is what a policy hashes, line ends included.
-{ echo "'use strict';" && ${CC:-cc} -E -P -x c -Icore $page/formats.h && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt); } >"$work/script"
+# The text between the tags is what a policy hashes, line ends included. Enums of the rows are no JavaScript.
+{ echo "'use strict';" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d' && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt); } >"$work/script"
 sed 's/^ *//' $page/colors.css $page/page.css >"$work/style"
 awk -v script="$work/script" -v style="$work/style" '
     function put(tag, file, line) {

@@ -49,10 +49,19 @@ function setViews(name) {
   setKeys({ ...none, ...VIEWS[name] });
 }
 
+const marksOf = (scene) => Array.isArray(scene.annotate) ? scene.annotate : [];
+
+// Switches one of the marks over the picture on or off.
+function setMark(word) {
+  const marks = MARKS.filter((mark) => marksOf(state.scene).includes(mark) !== (mark === word));
+  setKeys({ annotate: marks.length ? marks : undefined });
+}
+
 function showControls() {
   showLook();
   const views = viewsOf(state.scene);
   for (const button of byId('views').children) button.setAttribute('aria-pressed', String(button.value === views));
+  for (const button of byId('marks').children) button.setAttribute('aria-pressed', String(marksOf(state.scene).includes(button.value)));
   for (const input of byId('channel-cards').querySelectorAll('input')) input.checked = input.value === state.channel;
   byId('example').value = state.example;
   byId('frame').classList.toggle('moves', canMove());
@@ -69,6 +78,8 @@ function listenToTabs() {
   for (const tab of TABS) byId('tab-' + tab).onclick = () => choose(tab);
   roving(byId('tabs'), (tab) => choose(tab.id.slice(4)));
   for (const button of byId('views').children) button.onclick = () => setViews(button.value);
+  byId('marks').replaceChildren(...MARKS.map((word) => el('button', { type: 'button', value: word }, word)));
+  for (const button of byId('marks').children) button.onclick = () => setMark(button.value);
   for (const dialog of document.querySelectorAll('dialog')) {
     for (const button of dialog.querySelectorAll('.close')) button.onclick = () => dialog.close();
     dialog.onclick = (event) => { if (event.target === dialog && dialog.id !== 'token') dialog.close(); };

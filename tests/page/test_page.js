@@ -197,12 +197,16 @@ const tests = {
     await drawn(page);
     await page.waitForFunction(() => document.querySelectorAll('#looks input').length > 0);
     const order = [];
-    for (let i = 0; i < 16; i++) {
+    for (let i = 0; i < 22; i++) {
       await page.keyboard.press('Tab');
       order.push(await page.evaluate(() => { const at = document.activeElement; return at.id || at.value || at.tagName; }));
     }
-    const wanted = ['open', 'example', 'copy', 'theme', 'A', 'help', 'frame', 'one', 'sheet', 'three', 'turntable', 'save', 'look-studio', 'tab-scene', 'text'];
+    const wanted = ['open', 'example', 'copy', 'theme', 'A', 'help', 'frame', 'one', 'sheet', 'three', 'turntable', 'box', 'title', 'triad', 'scale', 'labels', 'holes', 'save', 'look-studio', 'tab-scene', 'text'];
     check('Tab goes header, picture, views, looks, tabs, panel', String(order.slice(0, wanted.length)) === String(wanted), order);
+    for (const mark of ['holes', 'box']) await redrawn(page, () => page.click(`#marks button[value=${mark}]`));
+    check('marks are in the order of the list', String((await sceneOf(page)).annotate) === 'box,holes');
+    for (const mark of ['holes', 'box']) await redrawn(page, () => page.click(`#marks button[value=${mark}]`));
+    check('without marks, the key is gone', (await sceneOf(page)).annotate === undefined);
     await page.focus('#frame');
     const press = (key) => redrawn(page, () => page.keyboard.press(key));
     await press('ArrowLeft');

@@ -6,6 +6,7 @@
 
 #include "input/text/nearest.h"
 #include "input/text/text.h"
+#include "parameter_kinds.h"
 #include "scene/algorithm.h"
 #include "scene/camera/mesh_up.h"
 #include "scene/colormap.h"
@@ -23,7 +24,7 @@ static const char *const lights[] = {ZR_LIGHT_ROWS(WORD)};
 #undef WORD
 static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
 static const char *const axes[] = {"y", "z"};
-static const char *const annotations[] = {"box", "title", "triad", "scale", "labels", "holes"};
+static const char *const annotations[] = {ZR_ANNOTATE_WORDS};
 static const char *const mesh_axes[] = {"x", "-x", "y", "-y", "z", "-z", "auto"};
 static const char *const colormaps[] = {"viridis", "turbo", "gray", "coolwarm"};
 static const char *const compressions[] = {"fast", "small"};

@@ -13,9 +13,10 @@
 #include "overlay/annotate/place_dimensions.h"
 #include "overlay/annotate/place_marks.h"
 #include "overlay/color_bar.h"
+#include "parameter_kinds.h"
 #include "scene/camera/mesh_up.h"
 
-static const char *const words[ZR_ANNOTATE_COUNT] = {"box", "title", "triad", "scale", "labels", "holes"};
+static const char *const words[ZR_ANNOTATE_COUNT] = {ZR_ANNOTATE_WORDS};
 
 /* Returns the rotation of a bare mesh's file to the world. */
 static zr_mat4 turn_of(const struct zr_scene *scene)

@@ -4,8 +4,8 @@
  *         and axes are those of the file, not of the world that a bare mesh is turned to.
  * Output: marks (overlay/marks.h) for the picture and for SVG, and what found no room. Data channels have no marks.
  * Sizes:  by the shorter side of the window; scene/camera/margins.h leaves room for them in fitted views.
- * Order:  title, triad, scale bar, dimensions of the box, given dimensions, notes of holes, labels. Each takes only places that are
- *         free, in a fixed order: the same marks on every machine. */
+ * Order:  title, triad, scale bar, dimensions of the box, given dimensions, notes of holes, labels. Each takes only
+ *         places that are free, in a fixed order: the same marks on every machine. */
 #ifndef ZR_ANNOTATE_H
 #define ZR_ANNOTATE_H
 

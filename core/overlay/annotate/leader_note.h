@@ -2,7 +2,8 @@
  *
  * Places: 48 directions and 32 lengths of the leader. The text is free of the model, of holes in it, and of other texts
  *         and lines. The leader crosses nothing, and stays apart from other lines.
- * Cost:   the length, half as much again over the model, and a little more to the left, or if it is level or upright. */
+ * Cost:   the length, half as much again over the model, and a little more to the left, or if it is level or
+ *         upright. */
 #ifndef ZR_LEADER_NOTE_H
 #define ZR_LEADER_NOTE_H
 

@@ -285,10 +285,8 @@ TEST(leaders_of_labels_cross_no_dimension)
 TEST(dimensions_end_at_holes_and_picks_and_measure_circles_and_angles)
 {
     static char text[1 << 16];
-    static const char *const texts[] = {"4",
-                                        "\xc3\xb8"
-                                        "1.4",
-                                        "R0.5", "90\xc2\xb0", "D"};
+#define DIAMETER "\xc3\xb8"
+    static const char *const texts[] = {"4", DIAMETER "1.4", "R0.5", "90\xc2\xb0", "D"};
     size_t size;
     char *scene = file_read("tests/scenes/annotate-holes.json", &size);
     assert_non_null(scene);

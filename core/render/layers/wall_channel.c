@@ -1,4 +1,4 @@
-#include "render/wall_channel.h"
+#include "render/layers/wall_channel.h"
 
 #include <math.h>
 
