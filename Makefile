@@ -415,7 +415,7 @@ cross: ## the renderer built for arm64 and run under qemu, and as WebAssembly in
 .PHONY: compare-cross
 compare-cross: $(BUILD)/zraster-cross
 	@tests/cross/compare.sh $< "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)" \
-		"node --no-warnings tests/cross/wasi.mjs $(BUILD)/wasm/simd/zraster-cross" wasm
+		"node tests/cross/wasi.mjs $(BUILD)/wasm/simd/zraster-cross" wasm
 
 .PHONY: same
 same: ## all answers of this build and of another, byte by byte: AGAINST=DIR (its build), SAME=quick, EXPECTED=FILE
