@@ -414,7 +414,7 @@ algorithms: ## the five algorithms against one another: 100 000 triangles and 40
 
 .PHONY: cross
 cross: ## the renderer built for arm64 and run under qemu, and as WebAssembly in Node: the same bytes as here, by every instruction set
-	@.ci/need cc=gcc stdlib.h=libc6-dev $(NEED_CROSS) $(NEED_WASM_TEST)
+	@.ci/need cc=gcc stdlib.h=libc6-dev $(NEED_CROSS) $(NEED_WASM) node=nodejs
 	@$(call wasm_make,simd) $(BUILD)/wasm/simd/zraster-cross
 	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/arm64 SAN= CC="$(CROSS_CC)" CFLAGS=-O2 LDFLAGS=-static isas="$(isas_aarch64)" \
 		$(BUILD)/arm64/zraster-cross
@@ -423,7 +423,7 @@ cross: ## the renderer built for arm64 and run under qemu, and as WebAssembly in
 .PHONY: compare-cross
 compare-cross: $(BUILD)/zraster-cross
 	@tests/cross/compare.sh $< "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)" \
-		"node --no-warnings tests/cross/wasi.mjs $(BUILD)/wasm/simd/zraster-cross" wasm
+		"node tests/cross/wasi.mjs $(BUILD)/wasm/simd/zraster-cross" wasm
 
 .PHONY: same
 same: ## all answers of this build and of another, byte by byte: AGAINST=DIR (its build), SAME=quick, EXPECTED=FILE
@@ -630,7 +630,7 @@ clean: ## removes build/
 
 .PHONY: help
 help: ## this list
-	@sed -n 's/^\([a-z][a-z-]*\):.*## /\1\t/p' Makefile | expand -t 14
+	@sed -n 's/^\([a-z][a-z-]*\):.*## /\1\t/p' Makefile make/*.mk | expand -t 14
 
 # ---- programs ----
 

@@ -5,7 +5,7 @@ NEED_WASM := clang-19=clang-19 /usr/lib/llvm-19/bin/wasm-ld=lld-19 /usr/include/
 	/usr/lib/llvm-19/lib/clang/19/lib/wasi/libclang_rt.builtins-wasm32.a=libclang-rt-19-dev-wasm32 \
 	dpkg-source=dpkg-dev patch=patch xz=xz-utils
 # Runs the modules.
-NEED_WASM_TEST := $(NEED_WASM) node=nodejs
+NEED_WASM_TEST := $(NEED_WASM) node=nodejs npm=npm
 WASM_CC ?= clang-19
 WASM_CFLAGS ?= -Os
 wasm := $(BUILD)/wasm
@@ -28,15 +28,21 @@ wasm: ## zraster as WebAssembly: build/wasm/zraster.wasm, zraster-scalar.wasm, a
 .PHONY: wasm-test
 wasm-test: ## the modules in Node: pixels of all scenes and of models as by the command, errors, memory, size
 	@.ci/need $(NEED_COMMAND) $(NEED_WASM_TEST)
-	@$(MAKE) -s wasm
+	@$(MAKE) -s npm
 	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
 	@DATA="$(DATA)" tests/web/run.sh $(BUILD)
+
+.PHONY: wasm-browser
+wasm-browser: ## the package in Chromium, which is installed: pixels as in Node, on a page and in a Worker
+	@.ci/need $(NEED_WASM_TEST) chromium=chromium
+	@$(MAKE) -s npm
+	@node tests/web/test_browser.mjs $(BUILD)/npm/zraster
 
 .PHONY: npm
 npm: ## the package zraster for npm: build/npm/zraster-*.tgz
 	@.ci/need npm=npm
 	@$(MAKE) -s wasm
-	@cd $(BUILD)/npm && npm pack --silent ./zraster
+	@cd $(BUILD)/npm && rm -f zraster-*.tgz && npm pack --silent ./zraster
 
 ifdef WASM
 sources := $(dir $(BUILD))sources

@@ -1,9 +1,11 @@
-/* types.mjs MODULE: prints options.d.ts, from the rows of the renderer. */
+/* types.mjs MODULE: prints options.d.ts, from the rows of the renderer, in the spelling of queries and in that of Python. */
 import { readFile } from 'node:fs/promises';
 import { load } from './zraster.mjs';
 
 const z = await load(readFile(process.argv[2])), { parameters, keys } = z.tables;
 const NUMBERS = ['UNITS', 'WHOLE', 'NUMBER', 'PIXEL', 'PIXELS', 'DEGREES', 'SECONDS', 'SIDE', 'COUNT'];
+
+const snake = name => name.replace(/[A-Z]/g, letter => `_${letter.toLowerCase()}`);
 
 function type(row) {
   if (NUMBERS.includes(row.value)) return 'number';
@@ -15,5 +17,5 @@ for (const row of parameters) names.set(row.name, { help: row.help, type: type(r
 console.log('/* Options of draw and read: the parameters of queries and the keys of scenes. Written by types.mjs. */');
 console.log('export interface Options {');
 for (const [name, { help, type }] of [...names].sort(([a], [b]) => (a < b ? -1 : 1)))
-  console.log(`  /** ${String(help).replaceAll('*/', '* /')} */\n  ${name}?: ${type};`);
+  for (const spelling of new Set([name, snake(name)])) console.log(`  /** ${String(help).replaceAll('*/', '* /')} */\n  ${spelling}?: ${type};`);
 console.log('}');

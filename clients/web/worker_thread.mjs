@@ -3,8 +3,8 @@ import { ZrasterError } from './errors.mjs';
 import { Picture, Scene } from './zraster.mjs';
 
 const isNode = typeof process !== 'undefined' && Boolean(process.versions?.node);
-const port = isNode ? (await import('node:worker_threads')).parentPort : self;
-const { load } = await import(isNode ? './node.mjs' : './browser.mjs');
+/* A browser drops messages that come before there is a listener: nothing is awaited before it. */
+const port = isNode ? import('node:worker_threads').then(threads => threads.parentPort) : self;
 const objects = new Map();
 let last = 0, z;
 
@@ -23,6 +23,7 @@ function told(result) {
 
 async function answer(name, values) {
   if (name === 'load') {
+    const { load } = await (isNode ? import('./node.mjs') : import('./browser.mjs'));
     z = await load(...values);
     return [{ version: z.version, rules: z.rules, tables: z.tables }, []];
   }
@@ -35,11 +36,11 @@ async function answer(name, values) {
 async function take({ number, name, values }) {
   try {
     const [result, moved] = await answer(name, values);
-    port.postMessage({ number, result }, moved);
+    (await port).postMessage({ number, result }, moved);
   } catch (error) {
-    port.postMessage({ number, error: { status: error.status ?? 'internal', message: error.message, faults: error.faults ?? [] } });
+    (await port).postMessage({ number, error: { status: error.status ?? 'internal', message: error.message, faults: error.faults ?? [] } });
   }
 }
 
-if (isNode) port.on('message', take);
-else port.onmessage = event => take(event.data);
+if (isNode) (await port).on('message', take);
+else self.onmessage = event => take(event.data);

@@ -5,6 +5,6 @@ import { load as loadFrom } from './zraster.mjs';
 export { Picture, Scene, Zraster, ZrasterError } from './zraster.mjs';
 
 /* Such workers have 128 MB. */
-export function load(source = module, options = { memoryMax: 100 * 2 ** 20 }) {
-  return loadFrom(source, options);
+export function load(source = module, { memoryMax = 100 * 2 ** 20 } = {}) {
+  return loadFrom(source, { memoryMax });
 }

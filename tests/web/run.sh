@@ -3,9 +3,9 @@
 set -u
 build=$1 worst=0
 export ZRASTER_DATA="${DATA:-../shared/data}"
-for test in module worker readme; do
-    node "tests/web/test_$test.mjs" "$build/npm/zraster" || worst=1
-done
+node tests/web/test_module.mjs "$build/npm/zraster" || worst=1
+node tests/web/test_worker.mjs "$build/npm/zraster" || worst=1
+node tests/web/test_readme.mjs "$build"/npm/zraster-*.tgz || worst=1
 for module in zraster zraster-scalar; do
     echo "# $module.wasm"
     node tests/web/test_pixels.mjs "$build" "$build/wasm/$module.wasm" >"$build/wasm/$module.tap" || worst=1

@@ -1,16 +1,17 @@
-/* test_readme.mjs FOLDER: the examples of clients/web/README.md run with the package in FOLDER, in a canvas, a component and a worker
- * at the edge that are just large enough for them. */
+/* test_readme.mjs PACKAGE: the examples of clients/web/README.md run with the package, as npm installs it, in a canvas, a component and a
+ * worker at the edge that are just large enough for them. */
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { end, test } from './check.mjs';
 
 const work = mkdtempSync(join(tmpdir(), 'zraster-')), hook = resolve('tests/web/wasm_hook.mjs');
+writeFileSync(join(work, 'package.json'), '{"private": true}');
+const installed = spawnSync('npm', ['install', '--offline', '--no-audit', '--no-fund', resolve(process.argv[2])], { cwd: work, encoding: 'utf8' });
 mkdirSync(join(work, 'node_modules/react'), { recursive: true });
-symlinkSync(resolve(process.argv[2]), join(work, 'node_modules/zraster'));
 for (const [, name, text] of readFileSync('clients/web/README.md', 'utf8').matchAll(/^```js file=(\S+)\n(.*?)^```$/gms)) writeFileSync(join(work, name), text);
 const OBJ = 'v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n';
 writeFileSync(join(work, 'part.obj'), OBJ);
@@ -31,6 +32,15 @@ const pictures = [];
 const canvas = { width: 80, height: 60, addEventListener: (type, take) => (listeners[type] = take), getContext: () => ({ putImageData: image => pictures.push(image) }) };
 `;
 
+await test('npm installs the package, and runs nothing of it', () => {
+  assert.equal(installed.status, 0, installed.stderr);
+  assert.equal(JSON.parse(readFileSync(join(work, 'node_modules/zraster/package.json'))).scripts, undefined);
+});
+await test('npx zraster part.obj part.png', () => {
+  const said = spawnSync('npx', ['--no', 'zraster', 'part.obj', 'part.png', '--look', 'clay'], { cwd: work, encoding: 'utf8' });
+  assert.equal(said.status, 0, said.stderr);
+  assert.equal(readFileSync(join(work, 'part.png')).subarray(1, 4).toString(), 'PNG');
+});
 await test('thumbnails of a folder', () => {
   node('thumbnails.mjs', '.');
   assert.ok(existsSync(join(work, 'part.obj.png')));
