@@ -5,7 +5,9 @@ import hashlib
 import json
 import os
 import re
+import shutil
 import subprocess
+import tempfile
 
 import daemon
 
@@ -54,6 +56,18 @@ class Page(Case):
         for name, value in (("X-Content-Type-Options", "nosniff"), ("Referrer-Policy", "no-referrer"),
                             ("Cross-Origin-Opener-Policy", "same-origin"), ("Cross-Origin-Resource-Policy", "same-origin")):
             self.assertEqual(headers[name], value)
+
+    def test_script(self):
+        """the page's script is JavaScript: the rows of the core leave no C in it"""
+        (script,) = re.findall(rb"<script>(.*?)</script>", self.daemon.send("/")[2], re.S)
+        self.assertIsNone(re.search(rb"^(enum|struct|typedef) |^#", script, re.M))
+        if not shutil.which("node"):
+            self.skipTest("node, which checks the syntax, is missing")
+        with tempfile.NamedTemporaryFile(suffix=".js") as file:
+            file.write(script)
+            file.flush()
+            checked = subprocess.run(["node", "--check", file.name], capture_output=True, text=True)
+        self.assertEqual((checked.returncode, checked.stderr), (0, ""))
 
     def test_tag(self):
         """each form of the page has a strong entity tag of its own, which gives 304"""
