@@ -117,7 +117,7 @@ class Equal(unittest.TestCase):
                 else:
                     self.assertIsInstance(got, str, want)
                     for words in want:
-                        self.assertIn(words.split("; ")[0][:60], got)
+                        self.assertIn(words.removeprefix("parameter ").split("; ")[0][:60], got)
         return want if isinstance(want, bytes) else None
 
     def check_all(self, path):

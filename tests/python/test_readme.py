@@ -40,7 +40,7 @@ class Readme(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             try:
                 os.chdir(folder)
-                for name in ("a.stl", "b.stl"):
+                for name in ("a.stl", "b.stl", "part.stl"):
                     with open(name, "wb") as file:
                         file.write(bytes(80) + struct.pack("<I", len(TRIANGLES)))
                         for corners in TRIANGLES:

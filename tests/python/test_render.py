@@ -452,11 +452,11 @@ class Pictures(unittest.TestCase):
     def test_arrays(self):
         """channels have the shapes and types of the manual"""
         names = ["color", "depth", "windowDepth", "distance", "normals", "position", "texcoord", "barycentrics"]
-        names += ["instanceId", "faceId", "frontFacing", "layers", "thickness"]
+        names += ["instanceId", "faceId", "frontFacing", "layers", "thickness", "wall"]
         all_of_them = zraster.Renderer().tables["channels"]
         self.assertEqual({row["name"] for row in all_of_them} - set(names), {"info", "fragments", "masks", "flow", "trace"})
         last = {"color": 3, "normals": 3, "position": 3, "barycentrics": 3, "texcoord": 2}
-        types = dict.fromkeys(names[1:8], "float32") | {"color": "uint8", "thickness": "float32"}
+        types = dict.fromkeys(names[1:8], "float32") | {"color": "uint8", "thickness": "float32", "wall": "float32"}
         picture = zraster.render(SCENE, names)
         self.assertEqual(set(dict(picture)), set(names))
         for name in names:
