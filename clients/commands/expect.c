@@ -12,6 +12,9 @@ enum { TEXT_SIZE = 256, NAME_COLUMNS = 12 };
 /* Share of a value within which it is as expected, if no tolerance is given. */
 static const double usual = 1e-3;
 
+/* Why facts are no JSON object. */
+static const char several[] = "several views have several facts";
+
 static const char *const keys[] = {"box", "volume", "area", "triangles", "closed", "holes", "tolerance"};
 static const char *const hole_keys[] = {"diameter", "count"};
 enum { KEYS = sizeof keys / sizeof *keys, HOLE_KEYS = sizeof hole_keys / sizeof *hole_keys };
@@ -169,6 +172,7 @@ __attribute__((format(printf, 1, 2))) static struct found no_number(const char *
 static struct found check_parts(const cJSON *facts)
 {
     const cJSON *omitted = member(facts, "partsOmitted");
+    if (!facts) return no_number("%s", several);
     if (!cJSON_IsArray(member(facts, "parts"))) return no_number("the facts have no parts");
     if (cJSON_IsNumber(omitted)) return no_number("%.0f parts are not listed", omitted->valuedouble);
     return (struct found){.value = 0.0};
@@ -296,14 +300,19 @@ static double length_tolerance(const struct rows *rows, double value)
     return rows->tolerance >= 0.0 ? rows->tolerance : usual * fabs(value);
 }
 
+static const char *why_no_box(const cJSON *facts)
+{
+    if (!facts) return several;
+    return member(facts, "csg") ? "bounds of combined solids may be larger than the solids"
+                                : "the facts have no bounds";
+}
+
 static void put_box(struct rows *rows, const cJSON *expected)
 {
     char texts[2][TEXT_SIZE] = {"", "null"};
     double sides[3], wanted[3];
     bool passes = !member(rows->facts, "csg") && find_box(rows->facts, sides);
-    const char *why = passes                       ? ""
-                      : member(rows->facts, "csg") ? "bounds of combined solids may be larger than the solids"
-                                                   : "the facts have no bounds";
+    const char *why = passes ? "" : why_no_box(rows->facts);
     for (int k = 0; k < 3; k++)
         wanted[k] = cJSON_GetArrayItem(expected, k)->valuedouble;
     snprintf(texts[0], TEXT_SIZE, "[%.9g,%.9g,%.9g]", wanted[0], wanted[1], wanted[2]);

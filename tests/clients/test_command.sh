@@ -237,6 +237,9 @@ check "holes that are not searched fail" 4 "$zraster" info corner.obj --features
 verdict "with the reason" grep -q '^FAIL  holes .* found none: holes were not searched in 1 part$' "$said"
 check "an open part has no volume" 4 "$zraster" info part.stl --expect '{"volume": 0}'
 verdict "and it is said" grep -q '^FAIL  volume .* found none: 1 open part has no volume$' "$said"
+printf '{"meshes": [{"name": "cube", "shape": {"type": "box", "size": 2}}], "turntable": {"frames": 2}}' >turning.json
+check "several views have no facts" 4 "$zraster" info turning.json --expect '{"volume": 8, "box": [2, 2, 2], "closed": true}'
+verdict "and each row says so" [ "$(grep -c '^FAIL .* found none: several views have several facts$' "$said")" = 3 ]
 check "combined solids are not compared" 1 "$zraster" compare corner.obj combined.json
 verdict "and the message says which" grep -q '/csg: combined solids have no mesh to compare: leave out csg of b' "$complained"
 sed 's/^v 1 /v 25.4 /; s/^v 0 1 /v 0 25.4 /; s/^v 0 0 1/v 0 0 25.4/' corner.obj >inches.obj
