@@ -120,12 +120,15 @@ static void print_deviations(const cJSON *deviation)
 
 static void print_alignment(const cJSON *alignment)
 {
-    char before[64], after[64];
+    char before[64], after[64], scale[64];
     const cJSON *align = member(alignment, "align");
     if (!cJSON_IsString(align)) return;
     format(member(alignment, "rmsBefore"), before);
     format(member(alignment, "rmsAfter"), after);
-    printf("\naligned by %s: root mean square distance %s before, %s after\n", align->valuestring, before, after);
+    printf("\naligned by %s: root mean square distance %s before, %s after", align->valuestring, before, after);
+    format(member(alignment, "scale"), scale);
+    if (member(alignment, "scale")) printf("; b is scaled by %s", scale);
+    putchar('\n');
 }
 
 static void print_volumes(const cJSON *volume)

@@ -240,7 +240,7 @@ ZRASTER_API void zraster_picture_free(zraster_picture *picture);
 /* ---- comparison of two models ----
  * Volumes that both share, distances between their surfaces, and what only one of them has, as JSON: "Comparing models" in
  * measure.md lists the keys. `query` may be NULL: "tolerance=0.01&show=difference". `cancel` may be NULL. Both scenes
- * may be of different renderers; that of `a` compares. ZRASTER_BAD_SCENE: a scene has no faces. */
+ * may be of different renderers; that of `a` compares. ZRASTER_BAD_SCENE: a scene has no faces, or csg. */
 
 ZRASTER_API zraster_status zraster_compare(const zraster_scene *a, const zraster_scene *b, const char *query,
                                            zraster_cancel *cancel, zraster_comparison **comparison,

@@ -9,6 +9,9 @@
 
 enum { QUICK_RAYS = 128, QUICK_POINTS = 10000 };
 
+/* Areas of a turned model differ by at most this share. */
+#define TURNED 0.05
+
 static const char sides[2][2] = {"a", "b"};
 
 /* Factors between usual units, and what they are. */
@@ -27,7 +30,8 @@ static bool is_factor(double ratio, double factor)
 }
 
 /* Warns if the files name different units, or if one model is larger by the factor of two units, to 2 %. */
-static void warn_of_units(const struct zr_run *run, const struct zr_scene *const scenes[2], struct zr_comparison *c)
+static void warn_of_units(const struct zr_run *run, const struct zr_scene *const scenes[2], bool can_scale,
+                          struct zr_comparison *c)
 {
     const char *const names[2] = {scenes[0]->file.unit, scenes[1]->file.unit};
     if (names[0] && names[1] && strcmp(names[0], names[1]) != 0)
@@ -40,7 +44,8 @@ static void warn_of_units(const struct zr_run *run, const struct zr_scene *const
         const double ratio = is_box ? of_boxes : of_areas;
         if (is_box || is_area)
             zr_warning_list_add(run->arena, &c->warnings,
-                                "b is %.4g times as large as a, as if one had other units: %s", ratio, units[i].words);
+                                "b is %.4g times as large as a, as if one had other units: %s%s", ratio, units[i].words,
+                                can_scale ? "" : "; align=principal and rescale=on compare both in one size");
     }
 }
 
@@ -53,6 +58,18 @@ static void warn_of_alignment(const struct zr_run *run, struct zr_comparison *c)
     if (c->alignment.ambiguous_count > 0)
         zr_warning_list_add(run->arena, &c->warnings, "b fits a in other ways, too: alignment.ambiguous has %u",
                             c->alignment.ambiguous_count);
+}
+
+/* Warns if b seems to be turned: it has as much area, but no hole of a. */
+static void warn_of_turn(const struct zr_run *run, struct zr_comparison *c)
+{
+    bool has[ZR_HOLE_CHANGE_KINDS] = {false};
+    for (uint32_t i = 0; i < c->holes.count; i++)
+        has[c->holes.at[i].kind] = true;
+    if (c->align != ZR_ALIGN_NONE || c->holes.equal > 0 || has[ZR_HOLE_MOVED] || has[ZR_HOLE_CHANGED]) return;
+    if (!has[ZR_HOLE_REMOVED] || !has[ZR_HOLE_ADDED] || fabs(c->a.area - c->b.area) > TURNED * c->a.area) return;
+    zr_warning_list_add(run->arena, &c->warnings,
+                        "a and b have no hole in common, but nearly the same area: align=principal turns b if it fits");
 }
 
 static void warn(const struct zr_run *run, bool has_no_deviation, struct zr_comparison *c)
@@ -74,6 +91,7 @@ static void warn(const struct zr_run *run, bool has_no_deviation, struct zr_comp
                                 sides[i]);
     }
     warn_of_alignment(run, c);
+    warn_of_turn(run, c);
     if (!c->has_deviation && !has_no_deviation)
         zr_warning_list_add(run->arena, &c->warnings,
                             "distances are left out: too many triangles overlap to search them");
@@ -191,6 +209,9 @@ enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scen
                                   const struct zr_comparison_options *options, struct zr_comparison *out)
 {
     *out = (struct zr_comparison){.align = options->align};
+    if (a->csg || b->csg)
+        return zr_error_add(run->error, ZR_BAD_SCENE, "/csg",
+                            "combined solids have no mesh to compare: leave out csg of %s", sides[a->csg ? 0 : 1]);
     enum zr_status status = zr_solid_make(run, a, NULL, &out->a);
     if (status == ZR_OK) status = zr_solid_make(run, b, &out->a.middle, &out->b);
     if (status != ZR_OK) return status;
@@ -199,7 +220,7 @@ enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scen
             return zr_error_add(run->error, ZR_BAD_SCENE, NULL,
                                 "%s has no faces with an area; comparing needs surfaces, not lines or points",
                                 sides[i]);
-    warn_of_units(run, (const struct zr_scene *const[2]){a, b}, out);
+    warn_of_units(run, (const struct zr_scene *const[2]){a, b}, options->can_scale, out);
     if (out->align != ZR_ALIGN_NONE) status = align(run, options->can_scale, out);
     if (status != ZR_OK) return status;
     status = measure(run, (const struct zr_scene *const[2]){a, b}, options, out);

@@ -61,8 +61,8 @@ struct zr_comparison {
 };
 
 /* Compares the faces of two scenes. The solids stay in the arena; scratch is given back. The team may be NULL. Fails
- * with ZR_BAD_SCENE if one of them has no faces, or with ZR_NO_MEMORY or ZR_CANCELLED; *run->error explains the first.
- */
+ * with ZR_BAD_SCENE if one of them has no faces, or combined solids (scene/csg.h), or with ZR_NO_MEMORY or ZR_CANCELLED;
+ * *run->error explains the first. */
 enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scene *a, const struct zr_scene *b,
                                   const struct zr_comparison_options *options, struct zr_comparison *out);
 

@@ -210,7 +210,10 @@ static enum zr_status list(const struct comparing *c, struct zr_hole_changes *ou
     for (uint32_t i = 0; i < c->counts[0]; i++) {
         const struct zr_hole *hole = &c->holes[0][i];
         const int32_t partner = c->partners[0][i];
-        if (partner == EQUAL) continue;
+        if (partner == EQUAL) {
+            out->equal++;
+            continue;
+        }
         const struct zr_hole *other = partner >= 0 ? &c->holes[1][partner] : NULL;
         add(changes, out,
             change_of(!other                          ? ZR_HOLE_REMOVED

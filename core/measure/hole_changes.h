@@ -31,6 +31,7 @@ struct zr_hole_change {
 
 struct zr_hole_changes {
     bool is_omitted;         /* the rest is 0 */
+    uint32_t equal;          /* holes that both have */
     uint32_t count, omitted; /* omitted: beyond ZR_HOLE_CHANGES_MAX */
     const struct zr_hole_change *at;
 };

@@ -220,11 +220,33 @@ verdict "of the regions" grep -q '"regions":\[{"mark":1,"in":"b","kind":"added",
 
 # info --expect
 check "expected facts pass" 0 "$zraster" info corner.obj --expect '{"box": [1, 1, 1], "closed": true, "triangles": 4, "tolerance": 0.01, "volume": 0.16, "holes": []}'
-verdict "with a row for each" [ "$(grep -c '^pass  ' "$said")" = 4 ]
+verdict "with a row for each" [ "$(grep -c '^pass  ' "$said")" = 5 ]
 check "others end with 4" 4 "$zraster" info corner.obj --expect '{"box": [1, 1, 2], "area": 2.366}' --json
 verdict "as JSON, too" grep -qxF '{"rows":[{"key":"box","pass":false,"expected":[1,1,2],"found":[1,1,1]},{"key":"area","pass":true,"expected":2.366,"found":2.3660254}],"pass":false}' "$said"
 check "unknown keys are refused" 2 "$zraster" info corner.obj --expect '{"size": 3}'
 check "and files that are missing" 2 "$zraster" info corner.obj --expect missing.json
+printf '%s' '{"meshes": [{"name": "cube", "shape": {"type": "box", "size": 2}}, {"name": "cut", "shape": {"type": "box", "size": [2, 4, 4]}}], "nodes": [{"mesh": "cube"}, {"mesh": "cut", "translation": [1.5, 0, 0]}], "csg": {"difference": ["cube", "cut"]}}' >combined.json
+sed 's/"csg": .*/"hide": ["cut"]}/' combined.json >hiding.json
+check "a combined solid has its own volume" 0 "$zraster" info combined.json --expect '{"volume": 6, "closed": true}'
+check "but neither area, box nor holes" 4 "$zraster" info combined.json --expect '{"volume": 6, "area": 24, "box": [2, 2, 2], "holes": [{"diameter": 1, "count": 0}]}'
+verdict "and each row says why" [ "$(grep -c '^FAIL .* found none: .*combined solids' "$said")" = 3 ]
+check "as JSON, too" 4 "$zraster" info combined.json --expect '{"holes": []}' --json
+verdict "in its reason" grep -qxF '{"rows":[{"key":"holes","pass":false,"expected":0,"found":null,"reason":"combined solids have none"}],"pass":false}' "$said"
+check "hidden parts do not count" 0 "$zraster" info hiding.json --expect '{"volume": 8, "area": 24, "box": [2, 2, 2], "triangles": 12, "holes": []}'
+check "holes that are not searched fail" 4 "$zraster" info corner.obj --features false --expect '{"holes": []}'
+verdict "with the reason" grep -q '^FAIL  holes .* found none: holes were not searched in 1 part$' "$said"
+check "an open part has no volume" 4 "$zraster" info part.stl --expect '{"volume": 0}'
+verdict "and it is said" grep -q '^FAIL  volume .* found none: 1 open part has no volume$' "$said"
+printf '{"meshes": [{"name": "cube", "shape": {"type": "box", "size": 2}}], "turntable": {"frames": 2}}' >turning.json
+check "several views have no facts" 4 "$zraster" info turning.json --expect '{"volume": 8, "box": [2, 2, 2], "closed": true}'
+verdict "and each row says so" [ "$(grep -c '^FAIL .* found none: several views have several facts$' "$said")" = 3 ]
+check "combined solids are not compared" 1 "$zraster" compare corner.obj combined.json
+verdict "and the message says which" grep -q '/csg: combined solids have no mesh to compare: leave out csg of b' "$complained"
+sed 's/^v 1 /v 25.4 /; s/^v 0 1 /v 0 25.4 /; s/^v 0 0 1/v 0 0 25.4/' corner.obj >inches.obj
+check "another unit is a warning" 4 "$zraster" compare corner.obj inches.obj
+verdict "that names the remedy" grep -q 'b is 25.4 times as large as a.*; align=principal and rescale=on' "$complained"
+check "which makes both the same" 0 "$zraster" compare corner.obj inches.obj --align principal --rescale
+verdict "and prints the scale" grep -q '^aligned by principal: .*; b is scaled by 0.0393701$' "$said"
 
 # drawing
 check "a technical drawing" 0 "$zraster" drawing corner.obj -o corner.svg --section y --date 2026-11-30

@@ -29,6 +29,10 @@ def box(low, size, faces=6):
 
 CUBE = box((0, 0, 0), (1, 1, 1))
 LONG = box((0, 0, 0), (2, 1, 1))
+COMBINED = (
+    b'{"meshes": [{"name": "a", "shape": {"type": "box", "size": 2}}, {"name": "b", "shape": {"type": "sphere", "radius": 1.3}}],'
+    b' "csg": {"difference": ["a", "b"]}}'
+)
 
 
 class Compare(unittest.TestCase):
@@ -100,6 +104,8 @@ class Compare(unittest.TestCase):
             (400, "?show=side&width=no", {"a": CUBE, "b": CUBE}, "width"),
             (422, "?show=side&look=none", {"a": CUBE, "b": CUBE}, "/look"),
             (422, "", {"a": CUBE, "b": b"v 0 0 0\nv 1 0 0\nl 1 2\n"}, "b has no faces"),
+            (422, "", {"a": CUBE, "b": COMBINED}, "leave out csg of b"),
+            (422, "?show=side", {"a": COMBINED, "b": CUBE}, "leave out csg of a"),
         ):
             found, _, data = self.daemon.compare(query, parts)
             self.assertEqual(found, status, data)

@@ -75,6 +75,27 @@ static void add_regions(struct line *line, const struct zr_comparison *c)
     if (count > 0) add(line, "; %u region%s", count, count == 1 ? "" : "s");
 }
 
+/* True if a hole is through or blind in b, and was the other one in a. */
+static bool becomes(const struct zr_hole_change *change, enum zr_hole_reach reach)
+{
+    return change->kind == ZR_HOLE_CHANGED && change->b.reach == reach && change->a.reach != reach &&
+           change->a.reach != ZR_REACH_UNKNOWN;
+}
+
+/* Adds how many of the changed holes became through or blind. */
+static void add_reaches(struct line *line, const struct zr_comparison *c)
+{
+    uint32_t through = 0, blind = 0;
+    for (uint32_t i = 0; i < c->holes.count; i++) {
+        through += becomes(&c->holes.at[i], ZR_REACH_THROUGH);
+        blind += becomes(&c->holes.at[i], ZR_REACH_BLIND);
+    }
+    if (through > 0 && blind > 0)
+        add(line, " (%u now through, %u now blind)", through, blind);
+    else if (through + blind > 0)
+        add(line, " (%u now %s)", through + blind, through > 0 ? "through" : "blind");
+}
+
 static void add_holes(struct line *line, const struct zr_comparison *c)
 {
     static const char *const words[] = {"removed", "added", "moved", "changed"};
@@ -85,6 +106,7 @@ static void add_holes(struct line *line, const struct zr_comparison *c)
         if (counts[kind] > 0)
             add(line, "%s%u hole%s %s", line->size > 0 ? "; " : "", counts[kind], counts[kind] == 1 ? "" : "s",
                 words[kind]);
+    add_reaches(line, c); /* of changed ones, the last kind */
 }
 
 static struct line summary_of(const struct zr_comparison *c)
@@ -259,6 +281,8 @@ static void print_hole(struct zr_print *print, const struct zr_comparison *c, co
     zr_print_double(print, "depth", hole->depth);
     if (change->kind == ZR_HOLE_CHANGED) zr_print_double(print, "newDepth", change->b.depth);
     if (hole->reach != ZR_REACH_UNKNOWN) zr_print_bool(print, "through", hole->reach == ZR_REACH_THROUGH);
+    if (change->kind == ZR_HOLE_CHANGED && change->b.reach != ZR_REACH_UNKNOWN)
+        zr_print_bool(print, "newThrough", change->b.reach == ZR_REACH_THROUGH);
     zr_print_doubles(print, "axis", axis, 3);
     print_place(print, "at", c, place_of_hole(hole));
     if (has_both) print_place(print, "newAt", c, place_of_hole(&change->b));

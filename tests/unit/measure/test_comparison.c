@@ -1,7 +1,10 @@
 /* Whole comparisons: memory, threads, and the answer as text. */
+#include <string.h>
+
 #include "base/team.h"
 #include "output/json/comparison_json.h"
 #include "support/test_arena.h"
+#include "unit/common/plates.h"
 #include "unit/measure/models.h"
 
 TEST_ARENA(1 << 28)
@@ -83,6 +86,70 @@ TEST_AROUND(handles_and_cavities_are_counted, open_arena, close_arena)
     const struct zr_solid shell = model_solid(&run, &hollow.mesh, NULL);
     assert_true(shell.outward == 1 && shell.inward == 1 && shell.handles == 0);
     assert_near(shell.volume, 56, 1e-12);
+}
+
+/* Compares two plates of one hole each and returns the answer as text, in the arena. */
+static const char *compare_holes(const struct drill *a, double width, const struct drill *b, enum zr_align align)
+{
+    const struct zr_scene *scenes[2];
+    struct zr_buffer out;
+    for (int i = 0; i < 2; i++) {
+        plate_begin();
+        plate_drilled(i == 0 ? 200 : width, i == 0 ? 100 : 20000 / width, 5, i == 0 ? a : b, 1);
+        const struct zr_mesh mesh = plate_mesh();
+        struct zr_mesh *kept = zr_arena_copy(&arena, &mesh, sizeof mesh);
+        kept->positions = zr_arena_copy(&arena, mesh.positions, mesh.position_count * sizeof *mesh.positions);
+        kept->indices = zr_arena_copy(&arena, mesh.indices, sizeof plate.index);
+        kept->face_offsets = zr_arena_copy(&arena, mesh.face_offsets, sizeof plate.face_offsets);
+        kept->face_rings = zr_arena_copy(&arena, mesh.face_rings, sizeof plate.face_rings);
+        kept->ring_offsets = zr_arena_copy(&arena, mesh.ring_offsets, sizeof plate.ring_offsets);
+        scenes[i] = model_scene(kept, i);
+    }
+    wanted.align = align;
+    assert_int_equal(compare(&arena, NULL, scenes[0], scenes[1], &out), ZR_OK);
+    assert_true(zr_buffer_add(&out, "", 1));
+    return (const char *)out.bytes;
+}
+
+TEST_AROUND(a_blind_hole_that_becomes_through_is_told, open_arena, close_arena)
+{
+    const struct drill blind = {.x = 40, .y = 10, .radius = 3, .depth = 2, .segments = 32},
+                       through = {.x = 40, .y = 10, .radius = 3, .segments = 32},
+                       wide = {.x = 40, .y = 10, .radius = 4, .segments = 32};
+    const char *text = compare_holes(&blind, 200, &through, ZR_ALIGN_NONE);
+    assert_non_null(strstr(text, "; 1 hole changed (1 now through);"));
+    assert_non_null(strstr(text, "\"through\":false,\"newThrough\":true"));
+    text = compare_holes(&through, 200, &blind, ZR_ALIGN_NONE);
+    assert_non_null(strstr(text, "; 1 hole changed (1 now blind);"));
+    text = compare_holes(&through, 200, &wide, ZR_ALIGN_NONE);
+    assert_non_null(strstr(text, "; 1 hole changed;"));
+    assert_non_null(strstr(text, "\"through\":true,\"newThrough\":true"));
+}
+
+TEST_AROUND(an_alignment_is_advised_if_no_hole_fits, open_arena, close_arena)
+{
+    const struct drill one = {.x = 40, .y = 10, .radius = 3, .segments = 32},
+                       other = {.x = -10, .y = 40, .radius = 2, .segments = 32};
+    assert_non_null(strstr(compare_holes(&one, 100, &other, ZR_ALIGN_NONE), "align=principal turns b"));
+    assert_null(strstr(compare_holes(&one, 100, &other, ZR_ALIGN_BOUNDS), "align=principal"));
+    assert_null(strstr(compare_holes(&one, 200, &one, ZR_ALIGN_NONE), "align=principal"));
+    assert_null(strstr(compare_holes(&one, 400, &other, ZR_ALIGN_NONE), "align=principal"));
+}
+
+TEST_AROUND(combined_solids_are_refused, open_arena, close_arena)
+{
+    const struct zr_scene *plain = torus(0, 1);
+    struct zr_scene combined = *torus(1, 1);
+    static const struct zr_csg csg;
+    combined.csg = &csg;
+    struct zr_error error = {0};
+    const struct zr_run run = {.arena = &arena, .error = &error};
+    struct zr_comparison out;
+    assert_int_equal(zr_comparison_make(&run, plain, &combined, &wanted, &out), ZR_BAD_SCENE);
+    assert_int_equal(zr_comparison_make(&run, &combined, plain, &wanted, &out), ZR_BAD_SCENE);
+    assert_string_equal(error.items[0].pointer, "/csg");
+    assert_non_null(strstr(error.items[0].detail, "leave out csg of b"));
+    assert_non_null(strstr(error.items[1].detail, "leave out csg of a"));
 }
 
 RUN_TESTS(NULL, NULL)
