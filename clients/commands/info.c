@@ -143,7 +143,8 @@ static void print_features(const cJSON *features)
     }
     if (number > GROUPS_MAX) printf(", and %d more kinds", number - GROUPS_MAX);
     if (number > 0) putchar('\n');
-    if (cJSON_IsTrue(cJSON_GetObjectItem(features, "omitted"))) puts("  features omitted: too many triangles");
+    const cJSON *reason = cJSON_GetObjectItem(features, "omittedReason");
+    if (cJSON_IsString(reason)) printf("  holes were not searched: %s\n", reason->valuestring);
 }
 
 static void print_part(const cJSON *part)

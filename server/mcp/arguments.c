@@ -184,7 +184,8 @@ const struct mcp_key mcp_arguments[] = {
     {"x", 1 << MCP_PICK, WHOLE("", "Column, from 0 at the left."), NULL},
     {"y", 1 << MCP_PICK, WHOLE("", "Row, from 0 at the top."), NULL},
     {"toX", 1 << MCP_PICK,
-     WHOLE("", "With toY: another pixel of the same view. The answer has the distance, offset and angle to its surface."),
+     WHOLE("",
+           "With toY: another pixel of the same view. The answer has the distance, offset and angle to its surface."),
      NULL},
     {"toY", 1 << MCP_PICK, WHOLE("", "Its row."), NULL},
     {"a", 1 << MCP_COMPARE,
@@ -195,6 +196,12 @@ const struct mcp_key mcp_arguments[] = {
      "{\"type\":\"string\",\"enum\":[\"none\",\"bounds\",\"principal\",\"icp\"],\"description\":\"Motion of b "
      "before. bounds: the middles of the boxes meet. principal: turned and moved to the best place. icp: refined from "
      "its place. Default: none.\"}",
+     NULL},
+    {"rescale", 1 << MCP_COMPARE,
+     "{\"type\":\"boolean\",\"description\":\"true: the alignment may scale b, too. Default: false.\"}", NULL},
+    {"deviation", 1 << MCP_COMPARE,
+     "{\"type\":\"boolean\",\"description\":\"false: without distances of the surfaces, which is faster.\"}", NULL},
+    {"features", 1 << MCP_COMPARE, "{\"type\":\"boolean\",\"description\":\"false: without holes that differ.\"}",
      NULL},
     {"tolerance", 1 << MCP_COMPARE,
      "{\"type\":\"number\",\"minimum\":0,\"description\":\"Largest distance between surfaces that are the same. "

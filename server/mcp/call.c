@@ -8,6 +8,7 @@
 #include "drawing.h"
 #include "faults.h"
 #include "memory.h"
+#include "picked.h"
 #include "shots.h"
 #include "tree.h"
 
@@ -150,8 +151,15 @@ struct target {
     unsigned width, height, x, y;
     bool has_to; /* another pixel of the view */
     unsigned to_x, to_y;
-    bool is_paper; /* between the views of a sheet */
+    bool is_paper;                    /* between the views of a sheet */
+    bool is_to_in_other, is_to_paper; /* the other pixel is in another view of the sheet, between the views */
 };
+
+static bool is_in(const cJSON *box, unsigned x, unsigned y)
+{
+    return x >= mcp_number_at(box, 0) && y >= mcp_number_at(box, 1) && x < mcp_number_at(box, 2) &&
+           y < mcp_number_at(box, 3);
+}
 
 /* Finds the view of a sheet that has the pixel. */
 static enum mcp_draw_status find_target(struct mcp_job *job, struct mcp_shots *shots, struct target *target)
@@ -160,6 +168,7 @@ static enum mcp_draw_status find_target(struct mcp_job *job, struct mcp_shots *s
         .outputs = "[{\"channel\":\"info\"}]", .width = job->width, .height = job->height, .only = -1};
     const enum mcp_draw_status status = mcp_shots_draw_once(job, &picture, shots);
     const cJSON *cell;
+    bool is_to_in_view = false;
     if (status != MCP_DRAWN) return status;
     target->is_paper = true;
     cJSON_ArrayForEach(cell, mcp_get(shots->at[0].info, "sheet"))
@@ -167,7 +176,8 @@ static enum mcp_draw_status find_target(struct mcp_job *job, struct mcp_shots *s
         const cJSON *box = mcp_get(cell, "box");
         const unsigned x0 = (unsigned)mcp_number_at(box, 0), y0 = (unsigned)mcp_number_at(box, 1),
                        x1 = (unsigned)mcp_number_at(box, 2), y1 = (unsigned)mcp_number_at(box, 3);
-        if (job->x < x0 || job->x >= x1 || job->y < y0 || job->y >= y1) continue;
+        is_to_in_view = is_to_in_view || is_in(box, job->to_x, job->to_y);
+        if (!is_in(box, job->x, job->y)) continue;
         cJSON *view = cJSON_CreateObject();
         static const char *const keys[] = {"worldToCamera", "projectionMatrix"};
         for (int i = 0; i < 2; i++)
@@ -177,12 +187,13 @@ static enum mcp_draw_status find_target(struct mcp_job *job, struct mcp_shots *s
                                   .height = y1 - y0,
                                   .x = job->x - x0,
                                   .y = job->y - y0,
-                                  .has_to = job->has_to && job->to_x >= x0 && job->to_x < x1 && job->to_y >= y0 &&
-                                            job->to_y < y1,
+                                  .has_to = job->has_to && is_in(box, job->to_x, job->to_y),
                                   .to_x = job->to_x - x0,
                                   .to_y = job->to_y - y0};
         cJSON_Delete(view);
     }
+    target->is_to_in_other = job->has_to && !target->has_to && is_to_in_view;
+    target->is_to_paper = job->has_to && !target->has_to && !is_to_in_view;
     return status;
 }
 
@@ -228,18 +239,30 @@ static void add_picked(cJSON *content, const cJSON *info)
     if (between) mcp_add(content, "between", cJSON_Duplicate(between, true));
 }
 
+/* Says why there is no way to the other pixel. */
+static void add_no_way(const struct mcp_job *job, const struct target *target, cJSON *content)
+{
+    const bool is_hit = cJSON_IsTrue(mcp_get(content, "hit"));
+    char text[160];
+    if (!job->has_to || mcp_get(content, "between")) return;
+    const bool is_first = target->is_paper || (!is_hit && !target->is_to_paper && !target->is_to_in_other);
+    snprintf(text, sizeof text, "pixel (%u, %u) %s", is_first ? job->x : job->to_x, is_first ? job->y : job->to_y,
+             target->is_paper || target->is_to_paper ? "is between the views of the sheet"
+             : target->is_to_in_other                ? "is in another view of the sheet than the first pixel"
+                                                     : "shows no surface, but the background");
+    cJSON_AddStringToObject(content, "betweenOmitted", text);
+}
+
 static void describe_picked(struct mcp_text *words, const cJSON *content)
 {
-    const cJSON *feature = mcp_get(content, "feature"), *between = mcp_get(content, "between");
-    const cJSON *kind = mcp_get(feature, "kind"), *offset = mcp_get(between, "offset");
+    const cJSON *feature = mcp_get(content, "feature"), *between = mcp_get(content, "between"),
+                *omitted = mcp_get(content, "betweenOmitted"), *kind = mcp_get(feature, "kind");
     if (cJSON_IsString(kind) && mcp_get(feature, "diameter"))
         mcp_text_print(words, "\nfeature: %s, diameter %.6g", kind->valuestring, mcp_number_of(feature, "diameter"));
+    if (omitted) mcp_text_print(words, "\nto the other pixel: no distance, since %s", omitted->valuestring);
     if (!between) return;
-    mcp_text_print(words, "\nto the other pixel: distance %.6g, offset (%.6g, %.6g, %.6g)",
-                   mcp_number_of(between, "distance"), mcp_number_at(offset, 0), mcp_number_at(offset, 1),
-                   mcp_number_at(offset, 2));
-    if (mcp_get(between, "angleDegrees"))
-        mcp_text_print(words, ", angle of the normals %.6g degrees", mcp_number_of(between, "angleDegrees"));
+    mcp_text_put(words, "\nto the other pixel: ");
+    mcp_picked_describe_between(words, between);
 }
 
 static void put_pick(const struct mcp_job *job, const struct target *target, const struct mcp_shots *shots,
@@ -258,6 +281,7 @@ static void put_pick(const struct mcp_job *job, const struct target *target, con
         if (cJSON_GetArraySize(made) < FRAGMENTS_MAX) mcp_append(made, make_fragment(fragment));
     }
     if (!target->is_paper) add_picked(content, shots->at[0].info);
+    add_no_way(job, target, content);
     mcp_text_print(&words, "pixel (%u, %u) of image %u: %s", job->x, job->y, job->image,
                    target->is_paper           ? "background between the views of the sheet"
                    : cJSON_GetArraySize(made) ? "surfaces, the nearest first:"

@@ -39,13 +39,29 @@ static void add_word(const struct mcp_message *message, const char *name, const 
         mcp_text_print(query, "%s%s=%s", query->size > 0 ? "&" : "", name, word);
 }
 
+/* Adds "on" or "off" to the query. */
+static void add_switch(const struct mcp_message *message, const char *name, struct mcp_text *query,
+                       struct mcp_faults *faults)
+{
+    const cJSON *given = mcp_get(message->arguments, name);
+    char pointer[32];
+    snprintf(pointer, sizeof pointer, "/%s", name);
+    if (given && !cJSON_IsBool(given))
+        mcp_fault(faults, pointer, "true or false is expected");
+    else if (given)
+        mcp_text_print(query, "&%s=%s", name, cJSON_IsTrue(given) ? "on" : "off");
+}
+
 static void make_query(const struct mcp_message *message, struct mcp_text *query, struct mcp_faults *faults)
 {
-    static const char *const names[] = {"align", "look", "view"};
+    static const char *const names[] = {"align", "look", "view"}, *const switches[] = {"rescale", "deviation",
+                                                                                       "features"};
     const cJSON *tolerance = mcp_get(message->arguments, "tolerance");
     add_word(message, "show", "difference", query, faults);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         add_word(message, names[i], NULL, query, faults);
+    for (size_t i = 0; i < sizeof switches / sizeof *switches; i++)
+        add_switch(message, switches[i], query, faults);
     if (tolerance && !(cJSON_IsNumber(tolerance) && tolerance->valuedouble >= 0))
         mcp_fault(faults, "/tolerance", "a length of at least 0 is expected");
     else if (tolerance)

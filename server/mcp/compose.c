@@ -205,9 +205,13 @@ bool mcp_compose(const struct mcp_job *job, const struct mcp_picture *picture, s
     } else if (job->tool == MCP_DRAWING) {
         put_up(job, &head);
     } else {
-        put(&head, "render", "false");
+        /* Pixels that are picked are those of the scene's view. */
+        if (job->own[MCP_OWN_PICKS].at)
+            put_up(job, &head);
+        else
+            put_item(&head, "up", mcp_job_argument(job, "up"));
+        if (!job->own[MCP_OWN_PICKS].at) put(&head, "render", "false");
         put(&head, "features", "true");
-        put_item(&head, "up", mcp_job_argument(job, "up"));
         drop_views(&head);
         take(&head, "visibility");
     }

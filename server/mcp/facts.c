@@ -5,17 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "features.h"
+#include "picked.h"
 #include "tree.h"
 
-enum {
-    GROUPS_DESCRIBED = 12,
-    PLACES_DESCRIBED = 12,
-    PARTS_MAX = 50,
-    PARTS_DESCRIBED = 12,
-    SHELL_KINDS = 3,
-    NAME_MAX_BYTES = 80,
-    WARNING_MAX_BYTES = 1000
-};
+enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12, SHELL_KINDS = 3, NAME_MAX_BYTES = 80, WARNING_MAX_BYTES = 1000 };
 
 static const char *const SHELLS[SHELL_KINDS] = {"outward", "inward", "open"};
 
@@ -53,9 +47,10 @@ static cJSON *make_box(const cJSON *bounds)
 
 static cJSON *make_part(const cJSON *part)
 {
-    static const char *const keys[] = {"name",         "id",     "hidden", "triangles", "area",         "volume",
-                                       "volumeError",  "closed", "shells", "openEdges", "flippedEdges", "leastWall",
-                                       "centerOfMass", "color",  "pixels", "features",  "leastWallAt"};
+    static const char *const keys[] = {"name",         "id",          "hidden",          "triangles", "area",
+                                       "volume",       "volumeError", "closed",          "shells",    "openEdges",
+                                       "flippedEdges", "leastWall",   "centerOfMass",    "color",     "pixels",
+                                       "features",     "leastWallAt", "leastWallOmitted"};
     cJSON *made = cJSON_CreateObject();
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         copy(made, part, keys[i]);
@@ -69,9 +64,44 @@ void mcp_facts_add_unit(cJSON *content, const cJSON *info)
     mcp_add(content, "units", unit ? cJSON_Duplicate(unit, true) : cJSON_CreateNull());
 }
 
+/* Adds how many parts were not searched for holes, and why the first of them. */
+static void add_unsearched(cJSON *content, const cJSON *parts)
+{
+    const cJSON *part, *reason = NULL;
+    int count = 0;
+    cJSON_ArrayForEach(part, parts)
+    {
+        const cJSON *features = mcp_get(part, "features"), *why = mcp_get(features, "omittedReason");
+        if (!cJSON_IsTrue(mcp_get(features, "omitted")) || !cJSON_IsString(why)) continue;
+        if (count++ == 0) reason = why;
+    }
+    if (count == 0) return;
+    cJSON *made = cJSON_AddObjectToObject(content, "holesNotSearched");
+    cJSON_AddNumberToObject(made, "parts", count);
+    cJSON_AddStringToObject(made, "reason", reason->valuestring);
+}
+
+/* Replaces the sums over the operands by what is known of the solid. */
+static void add_combined(cJSON *content, const cJSON *info)
+{
+    static const char *const unknown[] = {"area", "shells"};
+    const cJSON *csg = mcp_get(info, "csg");
+    if (!csg) return;
+    copy(content, info, "csg");
+    cJSON_DeleteItemFromObjectCaseSensitive(content, "volume");
+    cJSON_DeleteItemFromObjectCaseSensitive(content, "volumeError");
+    copy(content, csg, "volume");
+    copy(content, csg, "volumeError");
+    for (size_t i = 0; i < sizeof unknown / sizeof *unknown; i++) {
+        cJSON_DeleteItemFromObjectCaseSensitive(content, unknown[i]);
+        cJSON_AddNullToObject(content, unknown[i]);
+    }
+}
+
 void mcp_facts_add(cJSON *content, const cJSON *info)
 {
     const cJSON *parts = mcp_get(info, "parts"), *part;
+    static const char *const given[] = {"distances", "picks", "between"};
     const double omitted = mcp_number_of(info, "partsOmitted");
     double area = 0, volume = 0, error = 0, shells[SHELL_KINDS] = {0};
     bool is_closed = true; /* as far as the parts are listed */
@@ -105,7 +135,11 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
     for (int i = 0; i < SHELL_KINDS && omitted == 0; i++)
         cJSON_AddNumberToObject(sum, SHELLS[i], shells[i]);
     const double more = omitted + cJSON_GetArraySize(parts) - cJSON_GetArraySize(list);
+    add_combined(content, info);
+    add_unsearched(content, parts);
     mcp_add(content, "parts", list);
+    for (size_t i = 0; i < sizeof given / sizeof *given; i++)
+        copy(content, info, given[i]);
     if (more > 0) cJSON_AddNumberToObject(content, "partsOmitted", more);
 }
 
@@ -260,54 +294,6 @@ static void describe_open(struct mcp_text *text, const cJSON *part)
     }
 }
 
-/* Writes a group of holes or bosses: "4 x diameter 3.2, through, 6 deep, along (0, 0, -1), at (1, 2, 6), ...". */
-static void describe_group(struct mcp_text *text, const cJSON *group)
-{
-    const cJSON *through = mcp_get(group, "through"), *axis = mcp_get(group, "axis"), *place, *step;
-    int places = 0;
-    mcp_text_print(text, "%.0f x diameter %.5g", mcp_number_of(group, "count"), mcp_number_of(group, "diameter"));
-    if (through && !cJSON_IsNull(through)) mcp_text_put(text, cJSON_IsTrue(through) ? ", through" : ", blind");
-    if (mcp_get(group, "depth"))
-        mcp_text_print(text, ", %.5g deep", mcp_number_of(group, "depth"));
-    else
-        mcp_text_print(text, ", %.5g high", mcp_number_of(group, "height"));
-    cJSON_ArrayForEach(step, mcp_get(group, "steps"))
-    {
-        const double angle = mcp_number_of(step, "angleDegrees");
-        mcp_text_print(text, ", %s of diameter %.5g, %.5g deep", angle > 0 ? "countersink" : "step",
-                       mcp_number_of(step, "diameter"), mcp_number_of(step, "depth"));
-        if (angle > 0) mcp_text_print(text, ", %.4g degrees", angle);
-    }
-    mcp_text_print(text, ", along (%.4g, %.4g, %.4g)", mcp_number_at(axis, 0), mcp_number_at(axis, 1),
-                   mcp_number_at(axis, 2));
-    cJSON_ArrayForEach(place, mcp_get(group, "at"))
-    {
-        if (places < PLACES_DESCRIBED)
-            mcp_text_print(text, "%s(%.6g, %.6g, %.6g)", places == 0 ? ", at " : ", ", mcp_number_at(place, 0),
-                           mcp_number_at(place, 1), mcp_number_at(place, 2));
-        places++;
-    }
-    if (places > PLACES_DESCRIBED) mcp_text_print(text, " and %d more places", places - PLACES_DESCRIBED);
-}
-
-/* Writes the holes and bosses of a part. */
-static void describe_features(struct mcp_text *text, const cJSON *features)
-{
-    static const char *const lists[] = {"holes", "bosses"};
-    const cJSON *group;
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
-        int groups = 0;
-        cJSON_ArrayForEach(group, mcp_get(features, lists[i]))
-        {
-            if (groups++ >= GROUPS_DESCRIBED) continue;
-            mcp_text_print(text, "%s%s%s", groups == 1 ? "\n  " : "; ", groups == 1 ? lists[i] : "",
-                           groups == 1 ? ": " : "");
-            describe_group(text, group);
-        }
-        if (groups > GROUPS_DESCRIBED) mcp_text_print(text, "; %d more groups", groups - GROUPS_DESCRIBED);
-    }
-}
-
 /* Returns true if parts differ in colour. */
 static bool have_colors(const cJSON *parts)
 {
@@ -334,7 +320,15 @@ static void describe_part(struct mcp_text *text, const cJSON *part, const char *
     }
     describe_shells(text, mcp_get(part, "shells"));
     if (has_color && mcp_get(part, "color")) mcp_text_print(text, ", color %s", mcp_get(part, "color")->valuestring);
-    describe_features(text, mcp_get(part, "features"));
+    mcp_features_describe(text, part);
+}
+
+static void describe_unsearched(struct mcp_text *text, const cJSON *unsearched)
+{
+    const double count = mcp_number_of(unsearched, "parts");
+    if (!unsearched) return;
+    mcp_text_print(text, "\nholes were not searched in %.0f part%s: %s", count, count == 1 ? "" : "s",
+                   mcp_get(unsearched, "reason")->valuestring);
 }
 
 void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
@@ -345,7 +339,12 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
     int described = 0;
     describe_box(text, mcp_get(content, "box"), unit);
     if (cJSON_IsNumber(area)) mcp_text_print(text, "; area %.6g %s^2", area->valuedouble, unit);
-    if (cJSON_IsNumber(volume))
+    if (mcp_get(content, "csg"))
+        mcp_text_print(text,
+                       "; solid combined by csg: volume %.6g +- %.2g %s^3; the parts listed are its operands, before "
+                       "they are combined",
+                       mcp_number_of(content, "volume"), mcp_number_of(content, "volumeError"), unit);
+    else if (cJSON_IsNumber(volume))
         describe_volume(text, "; ", content, unit);
     else if (cJSON_IsNull(mcp_get(content, "closed")))
         mcp_text_put(text, "; area, volume and closedness are not known: more than 1000 parts");
@@ -365,12 +364,14 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
                        mcp_number_at(origin, 0), mcp_number_at(origin, 1), mcp_number_at(origin, 2));
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");
     const bool has_colors = have_colors(parts);
-    if (count == 1) describe_features(text, mcp_get(cJSON_GetArrayItem(parts, 0), "features"));
+    if (count == 1) mcp_features_describe(text, cJSON_GetArrayItem(parts, 0));
     cJSON_ArrayForEach(part, parts)
     {
         if (count > 1 && described++ < PARTS_DESCRIBED) describe_part(text, part, unit, has_colors);
     }
     if (count > PARTS_DESCRIBED) mcp_text_print(text, "\n- and %d more parts", count - PARTS_DESCRIBED);
+    describe_unsearched(text, mcp_get(content, "holesNotSearched"));
+    mcp_picked_describe(text, content);
     cJSON_ArrayForEach(warning, mcp_get(content, "warnings"))
     {
         mcp_text_put(text, "\nwarning: ");

@@ -136,10 +136,21 @@ static void check_meshes(struct mcp_job *job, struct mcp_span meshes)
                   "no mesh is the model: give one as {\"asset\": \"model\"}, or leave the model out");
 }
 
+static bool has_several_views(const struct mcp_job *job)
+{
+    for (int i = MCP_OWN_VIEWS; i < MCP_OWN_COUNT; i++)
+        if (job->own[i].at) return true;
+    return false;
+}
+
 bool mcp_given_check(struct mcp_job *job)
 {
     const struct mcp_span visibility = job->own[MCP_OWN_VISIBILITY], render = job->own[MCP_OWN_RENDER];
     if (job->own[MCP_OWN_MESHES].at) check_meshes(job, job->own[MCP_OWN_MESHES]);
+    if (job->tool == MCP_FACTS && job->own[MCP_OWN_PICKS].at && has_several_views(job))
+        mcp_fault(&job->faults, "/scene/picks",
+                  "the pixels are those of one view: give view, and leave out views, sheet, turntable, orbit and "
+                  "animate");
     if (!mcp_draws(job->tool)) return job->faults.count == 0;
     if (render.at && *render.at == 'f')
         mcp_fault(&job->faults, "/scene/render", "leave it out, or call facts, which draws nothing");

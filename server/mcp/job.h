@@ -19,6 +19,7 @@ enum mcp_own {
     MCP_OWN_VISIBILITY,
     MCP_OWN_RENDER,
     MCP_OWN_WINDOW,
+    MCP_OWN_PICKS,
     MCP_OWN_VIEW,
     MCP_OWN_VIEWS,
     MCP_OWN_SHEET,
@@ -38,9 +39,9 @@ struct mcp_job {
     bool is_resized;        /* the scene's window is larger than SIDE_MAX */
     bool is_sheet;
     unsigned images;
-    const char *format;                 /* of mcp_words_of_formats; NULL: by the size */
-    unsigned image, x, y;               /* of MCP_PICK */
-    bool has_to;                        /* of MCP_PICK: another pixel, to_x and to_y */
+    const char *format;   /* of mcp_words_of_formats; NULL: by the size */
+    unsigned image, x, y; /* of MCP_PICK */
+    bool has_to;          /* of MCP_PICK: another pixel, to_x and to_y */
     unsigned to_x, to_y;
     bool is_bare;                       /* the model is the only mesh: the scene, if any, has no meshes */
     unsigned model_meshes;              /* meshes of the scene that are {"asset": "model"} */

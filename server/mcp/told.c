@@ -1,5 +1,7 @@
 #include "told.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "tree.h"
@@ -20,10 +22,61 @@ static void describe_regions(const cJSON *content, struct mcp_text *words)
     }
 }
 
+/* Writes a place; parts of it that are next to nothing, as lengths, are 0. */
+static void put_place(struct mcp_text *words, const char *before, const cJSON *at, double nothing)
+{
+    double place[3];
+    if (!at) return;
+    for (int i = 0; i < 3; i++)
+        place[i] = fabs(mcp_number_at(at, i)) > nothing ? mcp_number_at(at, i) : 0;
+    mcp_text_print(words, "%s(%.6g, %.6g, %.6g)", before, place[0], place[1], place[2]);
+}
+
+/* Writes a length, and the new one if it differs. */
+static void put_length(struct mcp_text *words, const cJSON *hole, const char *name, const char *new_name)
+{
+    char before[32], now[32];
+    snprintf(before, sizeof before, "%.5g", mcp_number_of(hole, name));
+    snprintf(now, sizeof now, "%.5g", mcp_number_of(hole, new_name));
+    mcp_text_put(words, before);
+    if (mcp_get(hole, new_name) && strcmp(before, now) != 0) mcp_text_print(words, " to %s", now);
+}
+
+static void describe_hole(const cJSON *hole, const char *kind, struct mcp_text *words)
+{
+    const cJSON *through = mcp_get(hole, "through"), *now = mcp_get(hole, "newThrough"), *at = mcp_get(hole, "newAt");
+    const double nothing = 1e-6 * mcp_number_of(hole, "diameter");
+    mcp_text_print(words, "\n- hole %s: diameter ", kind);
+    put_length(words, hole, "diameter", "newDiameter");
+    mcp_text_put(words, ", ");
+    put_length(words, hole, "depth", "newDepth");
+    mcp_text_put(words, " deep");
+    if (through) mcp_text_put(words, cJSON_IsTrue(through) ? ", through" : ", blind");
+    if (now && through && cJSON_IsTrue(now) != cJSON_IsTrue(through))
+        mcp_text_put(words, cJSON_IsTrue(now) ? " to through" : " to blind");
+    put_place(words, at ? ", from " : ", at ", mcp_get(hole, "at"), nothing);
+    put_place(words, " to ", at, nothing);
+}
+
+static void describe_holes(const cJSON *content, struct mcp_text *words)
+{
+    static const char *const kinds[] = {"moved", "changed", "removed", "added"};
+    const cJSON *holes = mcp_get(mcp_get(content, "features"), "holes"), *hole;
+    int count = 0;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        cJSON_ArrayForEach(hole, mcp_get(holes, kinds[i]))
+        {
+            if (count++ < LISTED_MAX) describe_hole(hole, kinds[i], words);
+        }
+    count += (int)mcp_number_of(holes, "omitted");
+    if (count > LISTED_MAX) mcp_text_print(words, "\n- and %d more holes", count - LISTED_MAX);
+}
+
 static void describe(const cJSON *content, struct mcp_text *words)
 {
     const cJSON *summary = mcp_get(content, "summary"), *warning;
     if (cJSON_IsString(summary)) mcp_text_put(words, summary->valuestring);
+    describe_holes(content, words);
     describe_regions(content, words);
     cJSON_ArrayForEach(warning, mcp_get(content, "warnings"))
     {

@@ -5,8 +5,8 @@
 #include "host.h"
 #include "text.h"
 
-/* Adds the members of the result: one line, which begins with the name unless it is NULL, regions and warnings; then
- * the picture, as a text if it is an SVG; then all numbers. */
+/* Adds the members of the result: one line, which begins with the name unless it is NULL, holes, regions and warnings;
+ * then the picture, as a text if it is an SVG; then all numbers. */
 void mcp_told_put(const struct mcp_told *told, const char *name, bool is_svg, struct mcp_text *result);
 
 #endif

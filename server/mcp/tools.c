@@ -30,7 +30,8 @@ const char mcp_instructions[] =
     "\"units\":{\"type\":[\"string\",\"null\"],\"description\":\"Unit of lengths; null: the format names none.\"},"    \
     "\"box\":" BOX                                                                                                     \
     ",\"volume\":{\"type\":[\"number\",\"null\"],\"description\":\"Sum over the parts; null unless all "               \
-    "are closed; negative if faces are turned inside out.\"},\"volumeError\":{\"type\":\"number\",\"description\":"    \
+    "are closed; negative if faces are turned inside out. With csg, that of the combined solid; parts are its "        \
+    "operands, and area and shells are null.\"},\"volumeError\":{\"type\":\"number\",\"description\":"                 \
     "\"If shells overlap: what is inside counts once, and volume is measured to within about "                         \
     "this.\"},\"area\":" MAYBE_NUMBER                                                                                  \
     ",\"closed\":{\"type\":[\"boolean\",\"null\"],\"description\":\"Every edge is used equally often in both "         \
@@ -40,8 +41,9 @@ const char mcp_instructions[] =
     "\"properties\":{\"name\":" TEXT ",\"id\":{\"type\":\"integer\"},\"hidden\":{\"type\":\"boolean\"},\"box\":" BOX   \
     ",\"triangles\":{\"type\":\"integer\"},\"area\":" NUMBER ",\"volume\":" MAYBE_NUMBER ",\"volumeError\":" NUMBER    \
     ",\"closed\":{\"type\":\"boolean\"},\"openEdges\":" EDGES ",\"flippedEdges\":" EDGES ",\"shells\":" SHELLS         \
-    ",\"leastWall\":" MAYBE_NUMBER ",\"centerOfMass\":" MAYBE_VECTOR ",\"color\":" TEXT                                \
-    ",\"pixels\":{\"type\":\"integer\"},\"features\":{\"type\":\"object\"}}}},\"partsOmitted\":{\"type\":\"integer\"}" \
+    ",\"leastWall\":" MAYBE_NUMBER ",\"leastWallAt\":" VECTOR ",\"centerOfMass\":" MAYBE_VECTOR ",\"color\":" TEXT     \
+    ",\"pixels\":{\"type\":\"integer\"},\"features\":{\"type\":\"object\"}}}},\"partsOmitted\":{\"type\":"             \
+    "\"integer\"}"                                                                                                     \
     ","                                                                                                                \
     "\"partsHidden\":{\"type\":\"integer\",\"description\":\"Parts that hide or isolate hides; box and sums are of "   \
     "the others.\"},"                                                                                                  \
@@ -56,9 +58,25 @@ const char mcp_instructions[] =
     ",\"projection\":{\"enum\":[\"orthographic\",\"perspective\"]},\"unitsPerPixel\":" MAYBE_NUMBER ",\"eye\":" VECTOR \
     ",\"coveredShare\":" NUMBER ",\"touchesBorder\":{\"type\":\"boolean\"},\"blank\":{\"type\":\"boolean\"}}}"
 
-static const char facts_schema[] = "{\"type\":\"object\",\"required\":[" FACTS_REQUIRED "],\"properties\":{" FACTS "}}";
-static const char render_schema[] =
-    "{\"type\":\"object\",\"required\":[" FACTS_REQUIRED ",\"views\",\"picture\"],\"properties\":{" FACTS
+static const char measured_keys[] =
+    ",\"csg\":{\"type\":\"object\",\"properties\":{\"volume\":" NUMBER ",\"volumeError\":" NUMBER
+    ",\"centerOfMass\":" VECTOR "}},\"holesNotSearched\":{\"type\":\"object\",\"properties\":{\"parts\":{\"type\":"
+    "\"integer\"},\"reason\":" TEXT "}},\"distances\":{\"type\":\"array\",\"description\":\"Of the scene's pairs of "
+    "parts.\",\"items\":{\"type\":\"object\",\"properties\":{\"parts\":{\"type\":\"array\",\"items\":" TEXT
+    "},\"distance\":" MAYBE_NUMBER ",\"from\":" VECTOR ",\"to\":" VECTOR
+    ",\"crosses\":{\"type\":\"boolean\"}}}},\"picks\":{\"type\":\"array\",\"description\":\"Of the scene's pixels.\","
+    "\"items\":{\"type\":\"object\",\"properties\":{\"pixel\":{\"type\":\"array\",\"items\":{\"type\":\"integer\"}},"
+    "\"part\":{\"type\":[\"string\",\"null\"]},\"faceId\":{\"type\":\"integer\"},\"point\":" VECTOR
+    ",\"normal\":" MAYBE_VECTOR ",\"depth\":" NUMBER ",\"feature\":{\"type\":\"object\"},\"behind\":{\"type\":"
+    "\"array\",\"items\":{\"type\":\"object\"}}}}},\"between\":{\"type\":\"array\",\"description\":\"From each pick "
+    "to "
+    "the next.\",\"items\":{\"type\":\"object\",\"properties\":{\"from\":{\"type\":\"integer\"},\"to\":{\"type\":"
+    "\"integer\"},\"distance\":" NUMBER ",\"offset\":" VECTOR ",\"alongNormal\":" NUMBER ",\"angleDegrees\":" NUMBER
+    "}}}";
+static const char facts_keys[] = "{\"type\":\"object\",\"required\":[" FACTS_REQUIRED "],\"properties\":{" FACTS;
+static const char render_keys[] =
+    "{\"type\":\"object\",\"required\":[" FACTS_REQUIRED ",\"views\",\"picture\"],\"properties\":{" FACTS;
+static const char picture_keys[] =
     ",\"views\":{\"type\":\"array\",\"items\":" VIEW "},\"picture\":{\"type\":\"object\",\"required\":[\"images\","
     "\"width\",\"height\",\"mimeType\",\"bytes\",\"blank\"],\"properties\":{\"images\":{\"type\":\"integer\"},"
     "\"width\":{\"type\":\"integer\"},\"height\":{\"type\":\"integer\"},\"mimeType\":" TEXT ",\"bytes\":{\"type\":"
@@ -71,8 +89,10 @@ static const char pick_schema[] =
     "first.\",\"items\":"
     "{\"type\":\"object\",\"required\":[\"part\",\"face\",\"depth\",\"point\",\"front\",\"shown\"],\"properties\":{"
     "\"part\":" TEXT ",\"face\":{\"type\":\"integer\"},\"depth\":" NUMBER ",\"point\":" VECTOR
-    ",\"front\":{\"type\":\"boolean\"},\"shown\":{\"type\":\"boolean\"}}}},\"normal\":" MAYBE_VECTOR ",\"feature\":{\"type\":\"object\"},"
-    "\"between\":{\"type\":\"object\",\"description\":\"The way to the surface at toX, toY.\"},\"views\":{\"type\":\"array\","
+    ",\"front\":{\"type\":\"boolean\"},\"shown\":{\"type\":\"boolean\"}}}},\"normal\":" MAYBE_VECTOR
+    ",\"feature\":{\"type\":\"object\"},"
+    "\"between\":{\"type\":\"object\",\"description\":\"The way to the surface at toX, toY.\"},"
+    "\"betweenOmitted\":{\"type\":\"string\",\"description\":\"Why there is none.\"},\"views\":{\"type\":\"array\","
     "\"items\":" VIEW "},\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}}}";
 
 #define OBJECT "{\"type\":\"object\"}"
@@ -83,6 +103,7 @@ static const char compare_schema[] =
     ",\"deviation\":" OBJECT
     ",\"regions\":{\"type\":\"array\",\"description\":\"Connected regions that only one model has, the largest "
     "first.\",\"items\":" OBJECT "},\"regionsOmitted\":{\"type\":\"integer\"},\"parts\":" OBJECT
+    ",\"features\":{\"type\":\"object\",\"description\":\"holes: removed, added, moved, changed.\"}"
     ",\"warnings\":{\"type\":\"array\",\"items\":" TEXT "}}}";
 static const char drawing_schema[] =
     "{\"type\":\"object\",\"required\":[\"summary\",\"page\",\"scale\",\"projection\",\"units\",\"millimetres\","
@@ -95,30 +116,41 @@ static const char drawing_schema[] =
 
 /* ---- the list ---- */
 
+/* The schema of the output is in pieces, which C limits to 4095 characters. */
 struct tool {
-    const char *name, *title, *description, *required, *output;
+    const char *name, *title, *description, *required, *output[4];
 };
 static const struct tool TOOLS[MCP_TOOLS] = {
-    [MCP_RENDER] = {"render", "Draw a 3D model",
+    [MCP_RENDER] = {"render",
+                    "Draw a 3D model",
                     "Draws a model or a scene. Before each picture, a text says what it shows: directions, scale, box. "
                     "Without views and sheet, it is one sheet of four corners, two from above and two from below.",
-                    "", render_schema},
-    [MCP_FACTS] = {"facts", "Measure a 3D model",
+                    "",
+                    {render_keys, measured_keys, picture_keys}},
+    [MCP_FACTS] = {"facts",
+                   "Measure a 3D model",
                    "Measures a model or a scene without drawing: box, volume, area, whether it is closed, its shells, "
                    "and the same of each part, with its holes, bosses, fillets, planes and symmetry.",
-                   "", facts_schema},
-    [MCP_PICK] = {"pick", "Look up a pixel",
+                   "",
+                   {facts_keys, measured_keys, "}}"}},
+    [MCP_PICK] = {"pick",
+                  "Look up a pixel",
                   "Lists the surfaces at a pixel of a picture, the nearest first: part, face, depth and point of each. "
                   "Repeat the arguments of render, and add image, x and y.",
-                  ",\"required\":[\"x\",\"y\"]", pick_schema},
-    [MCP_COMPARE] = {"compare", "Compare two 3D models",
+                  ",\"required\":[\"x\",\"y\"]",
+                  {pick_schema}},
+    [MCP_COMPARE] = {"compare",
+                     "Compare two 3D models",
                      "Compares two models: volumes that both share (IoU), distances between the surfaces, regions and "
                      "parts that were added, removed or moved, and a picture of the differences.",
-                     ",\"required\":[\"a\",\"b\"]", compare_schema},
-    [MCP_DRAWING] = {"drawing", "Make a technical drawing",
+                     ",\"required\":[\"a\",\"b\"]",
+                     {compare_schema}},
+    [MCP_DRAWING] = {"drawing",
+                     "Make a technical drawing",
                      "Makes a technical drawing on paper: front, top, right and isometric view at one standard scale, "
                      "with hidden lines, overall sizes, notes of round holes, and a section if asked for.",
-                     "", drawing_schema}};
+                     "",
+                     {drawing_schema}}};
 
 struct mcp_words mcp_tool_names(void)
 {
@@ -138,10 +170,13 @@ void mcp_tools_list(struct mcp_text *text, const struct mcp_host *host)
                        "\"object\",\"properties\":{",
                        i ? "," : "", tool->name, tool->title, tool->description);
         mcp_keys_put(text, mcp_arguments, 1u << i, host);
+        mcp_text_print(text, "},\"additionalProperties\":false%s},\"outputSchema\":", tool->required);
+        for (int k = 0; tool->output[k]; k++)
+            mcp_text_put(text, tool->output[k]);
         mcp_text_print(text,
-                       "},\"additionalProperties\":false%s},\"outputSchema\":%s,\"annotations\":{\"title\":\"%s\","
+                       ",\"annotations\":{\"title\":\"%s\","
                        "\"readOnlyHint\":true,\"openWorldHint\":false}}",
-                       tool->required, tool->output, tool->title);
+                       tool->title);
     }
     mcp_text_put(text, "]");
 }

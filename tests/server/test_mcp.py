@@ -2,6 +2,7 @@
 import base64
 import hashlib
 import json
+import math
 import os
 import random
 import socket
@@ -26,6 +27,33 @@ CORNERS = "".join(f"v {x} {y} {z}\n" for z in (0, 5) for y in (0, 10) for x in (
 SIDES = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
 BOX = CORNERS + "o block\n" + SIDES
 ASSEMBLY = BOX + "v 30 0 0\nv 40 0 0\nv 40 10 0\nv 30 10 0\no plate\nf 9 10 11 12\n"
+
+
+def cube(x, name):
+    """Returns a mesh of a scene: a cube of side 1 at x."""
+    corners = [[x + i, j, k] for k in (0, 1) for j in (0, 1) for i in (0, 1)]
+    return {"name": name, "positions": corners, "faces": [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]}
+
+
+def plate(x=0, hole=0, radius=1, sides=36, name="plate"):
+    """Returns a mesh of a scene: a plate of 10 x 10 x 2 around x with a hole of many sides, moved by `hole`. Triangles alone."""
+    turn = lambda i: (hole + radius * math.cos(2 * math.pi * i / sides), radius * math.sin(2 * math.pi * i / sides))
+    corners, rim, side = [(5, 5), (-5, 5), (-5, -5), (5, -5)], [turn(i) for i in range(sides)], 4 + sides
+    places = [[x + u, v, z] for z in (0, 2) for u, v in corners + rim]
+    faces = []
+    for i in range(sides):
+        j, own, next_own = (i + 1) % sides, 4 * i // sides, 4 * ((i + 1) % sides) // sides
+        for top in (0, side):
+            made = [[top + 4 + i, top + own, top + 4 + j]] + ([[top + own, top + next_own, top + 4 + j]] if own != next_own else [])
+            faces += [face if top else face[::-1] for face in made]
+        faces += [[4 + j, 4 + i, side + 4 + i], [4 + j, side + 4 + i, side + 4 + j]]
+    faces += [face for i in range(4) for j in [(i + 1) % 4] for face in ([i, j, side + j], [i, side + j, side + i])]
+    return {"name": name, "positions": places, "faces": faces}
+
+
+def obj_of(mesh):
+    """Returns the OBJ of a mesh of a scene."""
+    return "".join("v {} {} {}\n".format(*place) for place in mesh["positions"]) + "".join("f " + " ".join(str(i + 1) for i in face) + "\n" for face in mesh["faces"])
 
 
 class Daemon(daemon.Daemon):
@@ -357,6 +385,74 @@ class Http(unittest.TestCase):
         content = self.call("facts", model={"base64": base64.b64encode(stl).decode()})["structuredContent"]
         self.assertEqual(content["box"]["max"], [1, 1, 2])  # z stays z
         self.assertEqual(self.call("facts", scene={"polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]})["structuredContent"]["area"], 0.5)
+
+    def test_facts_of_a_scene(self):
+        """facts answers distances and picks of a scene, in words, too; picks are of one view"""
+        scene = {"meshes": [cube(0, "a"), cube(3, "b")], "distances": [["a", "b"]], "picks": [[4, 48], [92, 48], [48, 48]], "window": {"width": 96, "height": 96}}
+        scene["view"] = {"eye": [2, 0.5, 9], "target": [2, 0.5, 0], "up": [0, 1, 0], "orthographic": {"xmag": 2.1, "ymag": 2.1}}
+        result = self.call("facts", scene=scene)
+        content, text = result["structuredContent"], texts(result)[0]
+        self.assertEqual((content["distances"][0]["parts"], content["distances"][0]["distance"]), (["a", "b"], 2))
+        self.assertEqual(([pick["part"] for pick in content["picks"]], content["between"][0]["offset"][1:]), (["a", "b", None], [0, 0]))
+        for line in ("\n- distance of 'a' and 'b': 2, from (1, ", "\n- pick 0 at pixel (4, 48): part 'a', face ", ", normal (0, 0, 1), 1 surface behind",
+                     "\n- pick 2 at pixel (48, 48): nothing, the background", "\n- from pick 0 to 1: distance 3.8"):
+            self.assertIn(line, text)
+        self.assertNotIn("pick 1 to 2", text)
+        self.refused("facts", ["/scene/picks: the pixels are those of one view"], scene={**scene, "sheet": {"layout": "balanced"}})
+        self.refused("facts", ["/scene/picks: nothing is drawn"], scene={**scene, "render": False})
+        self.refused("facts", ["/scene/picks/0: "], scene={**scene, "picks": [[96, 0]]})
+
+    def test_facts_of_a_combined_solid(self):
+        """The volume is that of the solid, and parts are its operands"""
+        scene = {"meshes": [cube(0, "a"), cube(0.5, "b")], "csg": {"difference": ["a", "b"]}}
+        result = self.call("facts", scene=scene)
+        content = result["structuredContent"]
+        self.assertAlmostEqual(content["volume"], 0.5, delta=content["volumeError"])
+        self.assertEqual((content["csg"]["volume"], content["area"], content["shells"], len(content["parts"])), (content["volume"], None, None, 2))
+        self.assertIn("; solid combined by csg: volume 0.5 +- ", texts(result)[0])
+        self.assertIn("the parts listed are its operands", texts(result)[0])
+
+    def test_facts_in_words(self):
+        """Symmetry, least wall and open loops have a line each; so have holes that were not searched"""
+        mesh = plate()
+        self.assertEqual(len(mesh["faces"]), 160)
+        text = texts(self.call("facts", scene={"meshes": [mesh]}))[0]
+        for line in ("\n  holes: 1 x diameter 2, through, 2 deep", "\n  symmetry: mirror x = 0, y = 0, z = 1; turn ", "4-fold about (0, 0, 1) at (0, 0, 1)", "\n  least wall: 2 at ("):
+            self.assertIn(line, text)
+        self.assertNotIn("not searched", text)
+        text = texts(self.call("facts", scene={"meshes": [{**mesh, "faces": mesh["faces"][:-1]}]}))[0]
+        self.assertIn("\n  open loops: 1, of 3 edges, length ", text)
+        result = self.call("facts", scene={"meshes": [plate(12 * i, name=f"p{i}") for i in range(250)]})
+        content = result["structuredContent"]
+        reason = "the search takes more than 37257 steps: 128 per triangle, and a share of 4194304 for all parts"
+        self.assertEqual(content["holesNotSearched"], {"parts": 250, "reason": reason})
+        self.assertEqual((content["parts"][0]["features"]["omitted"], content["parts"][0]["features"]["omittedReason"]), (True, reason))
+        self.assertTrue(texts(result)[0].endswith("\nholes were not searched in 250 parts: " + reason), texts(result)[0][-300:])
+
+    def test_compare_holes(self):
+        """Holes that moved, changed, are gone or new have a line each, up to eight; the alignment may scale"""
+        compare = lambda a, b, **more: self.call("compare", a={"text": obj_of(a)}, b={"text": obj_of(b)}, show="none", **more)
+        result = compare(plate(), plate(hole=1))
+        self.assertIn("\n- hole moved: diameter 2, 2 deep, through, from (0, 0, 2) to (1, 0, 2)", texts(result)[0])
+        self.assertEqual(len(result["structuredContent"]["features"]["holes"]["moved"]), 1)
+        self.assertIn("\n- hole changed: diameter 2 to 3, 2 deep, through, from (0, 0, 2)", texts(compare(plate(), plate(radius=1.5)))[0])
+        block = {"positions": [[-5, -5, 0], [5, -5, 0], [5, 5, 0], [-5, 5, 0], [-5, -5, 2], [5, -5, 2], [5, 5, 2], [-5, 5, 2]],
+                 "faces": [[3, 2, 1, 0], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]}
+        self.assertIn("\n- hole removed: diameter 2, 2 deep, through, at (0, 0, 2)", texts(compare(plate(), block))[0])
+        self.assertIn("\n- hole added: diameter 2, ", texts(compare(block, plate()))[0])
+        row = {"positions": [], "faces": []}
+        for i in range(10):
+            mesh, before = plate(12 * i), len(row["positions"])
+            row = {"positions": row["positions"] + mesh["positions"], "faces": row["faces"] + [[before + k for k in face] for face in mesh["faces"]]}
+        text = texts(compare(row, block))[0]
+        self.assertEqual((text.count("\n- hole removed"), "\n- and 2 more holes" in text), (8, True))
+        large = {**block, "positions": [[2 * c for c in place] for place in block["positions"]]}
+        result = compare(block, large, align="bounds", rescale=True, deviation=False, features=False)
+        content = result["structuredContent"]
+        self.assertAlmostEqual(content["alignment"]["scale"], 0.5)
+        self.assertFalse({"features", "deviation"} & set(content))
+        self.refused("compare", ["/rescale: true or false"], a={"text": BOX}, b={"text": BOX}, rescale="on")
+        self.refused("compare", ["/rescale: an alignment scales"], a={"text": BOX}, b={"text": BOX}, rescale=True)
 
     def test_compare(self):
         """compare tells where two models differ: numbers first, a picture, all numbers; faults name the argument"""
@@ -695,6 +791,16 @@ class Http(unittest.TestCase):
         paper = self.call("pick", **arguments, sheet="threeView", x=0, y=0)
         self.assertEqual((paper["structuredContent"]["hit"], paper["structuredContent"]["fragments"]), (False, []))
         self.assertIn("between the views", texts(paper)[0])
+        corner = [view["box"] for view in sheet if view["name"] != "top"][0]
+        ways = (((x, y), (0, 0), "pixel (0, 0) is between the views of the sheet"),
+                ((0, 0), (x, y), "pixel (0, 0) is between the views of the sheet"),
+                ((x, y), corner[:2], f"pixel ({corner[0]}, {corner[1]}) is in another view of the sheet than the first pixel"),
+                ((x, y), top["box"][:2], "pixel ({}, {}) shows no surface, but the background".format(*top["box"])),
+                (top["box"][:2], (x, y), "pixel ({}, {}) shows no surface, but the background".format(*top["box"])))
+        for (x0, y0), (x1, y1), reason in ways:
+            way = self.call("pick", **arguments, sheet="threeView", x=x0, y=y0, toX=x1, toY=y1)
+            self.assertEqual((way["structuredContent"]["betweenOmitted"], "between" in way["structuredContent"]), (reason, False))
+            self.assertIn("\nto the other pixel: no distance, since " + reason, texts(way)[0])
 
     def test_mendable(self):
         """Errors of arguments have their place and the nearest word"""

@@ -170,6 +170,13 @@ static void find_half(void *context, size_t begin, size_t end)
     }
 }
 
+/* Leaves out holes, since the work is stopped or memory is exhausted. */
+static void omit(struct zr_part_features *out, const struct zr_feature_work *work)
+{
+    out->is_omitted = true;
+    out->limit = work->steps > work->steps_most ? ZR_FEATURE_LIMIT_STEPS : ZR_FEATURE_LIMIT_MEMORY;
+}
+
 /* Finds the features of a surface. Lists are in the arena. The rest has memory of its own, of a fixed size, so that it
  * is found or left out whatever the number of threads. */
 static void find_of_surface(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
@@ -185,7 +192,7 @@ static void find_of_surface(struct zr_arena *arena, struct zr_team *team, const 
                         ~(size_t)(ZR_ARENA_ALIGN - 1);
     if (!zr_facets_make(arena, &halves.works[0], surface, &facets) ||
         !zr_seeds_find(arena, team, &halves.works[0], &facets, &seeds)) {
-        out->is_omitted = true;
+        omit(out, &halves.works[0]);
         return;
     }
     void *room = zr_arena_alloc(arena, size, 1);
@@ -197,7 +204,10 @@ static void find_of_surface(struct zr_arena *arena, struct zr_team *team, const 
     halves.arenas[1] = &rest;
     zr_team_ranges(team, 2, 1, find_half, &halves);
     if (rest.failed && rest.wanted == 0) arena->failed = true; /* the system has no memory */
-    if (out->is_omitted) out->holes = (struct zr_holes){.hole_count = 0};
+    if (out->is_omitted) {
+        omit(out, &halves.works[0]);
+        out->holes = (struct zr_holes){.hole_count = 0};
+    }
 }
 
 /* Moves places of a part from its origin to world space. The lists are in memory of this step. */
@@ -237,6 +247,7 @@ static enum zr_status find_of_part(const struct finding *f, struct zr_arena *are
         const uint64_t steps =
             ZR_FEATURE_STEPS_MIN / f->parts->count + ZR_FEATURE_STEPS * (uint64_t)surface.triangle_count;
         out->size = surface.size;
+        out->steps_most = steps;
         find_of_surface(&scratch, f->run->team, f->run->cancel, &surface, steps, out);
         place(out, origin);
         ok = keep(arena, &scratch, out);
@@ -261,9 +272,11 @@ static size_t bytes_of(const struct zr_mesh *mesh)
 static enum zr_status find_of_mesh(const struct finding *f, uint32_t begin, uint32_t end)
 {
     const struct zr_mesh *mesh = &f->scene->meshes[f->parts->at[begin].mesh];
-    const bool is_large = mesh->face_count > ZR_FEATURE_FACES_MOST || bytes_of(mesh) > zr_arena_left(f->run->arena);
+    const enum zr_feature_limit limit = mesh->face_count > ZR_FEATURE_FACES_MOST        ? ZR_FEATURE_LIMIT_FACES
+                                        : bytes_of(mesh) > zr_arena_left(f->run->arena) ? ZR_FEATURE_LIMIT_MEMORY
+                                                                                        : ZR_FEATURE_LIMIT_NONE;
     for (uint32_t p = begin; p < end; p++)
-        f->features[p] = (struct zr_part_features){.is_omitted = is_large};
+        f->features[p] = (struct zr_part_features){.is_omitted = limit != ZR_FEATURE_LIMIT_NONE, .limit = limit};
     if (f->features[begin].is_omitted) return ZR_OK;
     struct zr_arena scratch = zr_arena_open_scratch(f->run->arena);
     const struct zr_run inner = zr_run_in(f->run, &scratch);

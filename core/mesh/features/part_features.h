@@ -27,9 +27,19 @@ enum { ZR_FEATURE_BYTES = 320, ZR_FEATURE_BYTES_OF_POSITION = 64, ZR_FEATURE_BYT
 /* Bytes for the features other than holes: per triangle, and a constant, which is doubled for many triangles. */
 enum { ZR_FEATURE_BYTES_OF_REST = 64, ZR_FEATURE_BYTES_OF_REST_LEAST = 1 << 19 };
 
+/* What keeps holes from being searched. */
+enum zr_feature_limit {
+    ZR_FEATURE_LIMIT_NONE,
+    ZR_FEATURE_LIMIT_FACES,
+    ZR_FEATURE_LIMIT_MEMORY,
+    ZR_FEATURE_LIMIT_STEPS
+};
+
 struct zr_part_features {
-    double size;     /* diagonal of the part's box */
-    bool is_omitted; /* too much work, or no memory for it: no features */
+    double size;                 /* diagonal of the part's box */
+    bool is_omitted;             /* too much work, or no memory for it: no features */
+    enum zr_feature_limit limit; /* why, if omitted */
+    uint64_t steps_most;         /* of the part; 0 if its search was not begun */
     struct zr_holes holes;
     struct zr_planes planes;
     struct zr_borders borders;

@@ -1,5 +1,8 @@
 #include "output/json/features_json.h"
 
+#include <inttypes.h>
+#include <stdio.h>
+
 static const double ZERO = 1e-7, ZERO_DIRECTION = 1e-5;
 
 /* The part that is printed. Places and lengths nearer to 0 than a ten-millionth of the size are 0. */
@@ -210,6 +213,19 @@ static void print_symmetry(const struct printing *p, const struct zr_symmetry *s
     zr_print_end(p->print, '}');
 }
 
+/* Prints which limit kept holes from being searched, and its number. */
+static void print_limit(struct zr_print *print, const struct zr_part_features *features)
+{
+    char text[160] = "too little memory is left";
+    if (features->limit == ZR_FEATURE_LIMIT_FACES)
+        snprintf(text, sizeof text, "the mesh has more than %d faces", ZR_FEATURE_FACES_MOST);
+    if (features->limit == ZR_FEATURE_LIMIT_STEPS)
+        snprintf(text, sizeof text,
+                 "the search takes more than %" PRIu64 " steps: %d per triangle, and a share of %d for all parts",
+                 features->steps_most, ZR_FEATURE_STEPS, ZR_FEATURE_STEPS_MIN);
+    zr_print_string(print, "omittedReason", text);
+}
+
 void zr_features_print(struct zr_print *print, const struct zr_part_features *features, const double *moved)
 {
     const struct zr_holes *holes = &features->holes;
@@ -217,6 +233,7 @@ void zr_features_print(struct zr_print *print, const struct zr_part_features *fe
     zr_print_begin(print, "features", '{');
     if (features->is_omitted) {
         zr_print_bool(print, "omitted", true);
+        print_limit(print, features);
     } else {
         print_groups(&p, "holes", "holesOmitted", holes->holes, holes->hole_count, true);
         print_groups(&p, "bosses", "bossesOmitted", holes->bosses, holes->boss_count, false);

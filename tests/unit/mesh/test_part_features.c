@@ -54,6 +54,32 @@ TEST(angles_are_those_of_libm)
     assert_int_equal(zr_angle_set_arcs(&set), 1);
 }
 
+TEST_AROUND(parts_that_share_too_few_steps_name_them, open_arena, close_arena)
+{
+    enum { PARTS = 1000 };
+    static struct zr_instance instances[PARTS];
+    plate_begin();
+    plate_drilled(40, 26, 6, one_hole, 1);
+    placed_begin(1, 1);
+    placed.meshes[0] = plate_mesh();
+    for (int i = 0; i < PARTS; i++)
+        instances[i] = placed.instances[0];
+    placed.test.scene.instances = instances;
+    placed.test.scene.instance_count = PARTS;
+    const struct zr_part_list list = zr_part_list_make(&arena, &placed.test.scene, PARTS);
+    const struct zr_run run = {.arena = &arena, .scratch = &arena};
+    struct zr_part_facts *facts = zr_arena_alloc(&arena, PARTS, sizeof *facts);
+    struct zr_part_features *features = zr_arena_alloc(&arena, PARTS, sizeof *features);
+    assert_int_equal(zr_part_facts_find(&run, &placed.test.scene, &list, facts), ZR_OK);
+    assert_int_equal(zr_part_features_find(&run, &placed.test.scene, &list, facts, features), ZR_OK);
+    for (int i = 0; i < PARTS; i++) {
+        assert_true(features[i].is_omitted);
+        assert_int_equal(features[i].limit, ZR_FEATURE_LIMIT_STEPS);
+        assert_int_equal(features[i].steps_most, ZR_FEATURE_STEPS_MIN / PARTS + ZR_FEATURE_STEPS * facts[i].triangles);
+        assert_int_equal(features[i].holes.hole_count, 0);
+    }
+}
+
 TEST_AROUND(a_box_has_six_planes_and_three_mirrors, open_arena, close_arena)
 {
     plate_begin();

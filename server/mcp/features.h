@@ -1,0 +1,12 @@
+/* features.h - mcp: what is found on a part, in words: holes, bosses, symmetry, least wall, open loops. */
+#ifndef MCP_FEATURES_H
+#define MCP_FEATURES_H
+
+#include <cjson/cJSON.h>
+
+#include "text.h"
+
+/* Writes the lines of a part of the channel info. Each begins with a line feed and two spaces. */
+void mcp_features_describe(struct mcp_text *text, const cJSON *part);
+
+#endif
