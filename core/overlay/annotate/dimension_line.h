@@ -10,6 +10,7 @@ struct zr_dimension_line {
     double dx, dy;            /* unit vector that leads away from the model, for the text of a short line */
     const char *text;
     bool is_over_model; /* extension lines may cross the model, with a halo */
+    bool may_cover;     /* the text may lie on the model, with a halo of the paper */
 };
 
 /* Draws the line if it and its text are free. Short lines have their arrows outside, and the text beside them. */

@@ -301,7 +301,7 @@ static void draw_beside(struct zr_layout *l, const struct label *label, const ch
     for (int i = 0; i < OTHERS && map; i++)
         zr_leader_note_find(l, map, find_tip, &label->others[i], width, &note);
     if (note.cost == HUGE_VAL) {
-        zr_layout_leave_out(l, label->name, "no room");
+        zr_layout_leave_out(l, label->name, "no room", ZR_LEFT_OUT_NO_ROOM);
         return;
     }
     zr_leader_note_draw(l, &note, name, l->ink);
@@ -381,7 +381,7 @@ static void draw_numbers(struct zr_layout *l, struct label *labels, uint32_t cou
         const struct zr_rect rect = {x - half, y - half, x + half, y + half};
         list[i] = (struct zr_numbered_part){i + 1, labels[i].name};
         if (!zr_layout_is_apart(l, rect)) {
-            zr_layout_leave_out(l, labels[i].name, "no room");
+            zr_layout_leave_out(l, labels[i].name, "no room", ZR_LEFT_OUT_NO_ROOM);
             continue;
         }
         const struct zr_point center = {x, y};
