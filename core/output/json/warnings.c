@@ -153,8 +153,8 @@ static void add_overlaps(struct zr_arena *arena, const struct zr_frame *frame, s
 /* Adds warnings about marks that are not drawn. */
 static void add_annotations(struct zr_arena *arena, const struct zr_frame *frame, struct zr_warning_list *w)
 {
-    static const char *const texts[ZR_LEFT_OUT_CAUSES] = {[ZR_LEFT_OUT_NO_ROOM] = "found no room",
-                                                          [ZR_LEFT_OUT_BY_VIEW] = "cannot be drawn in this view"};
+    static const char *const texts[ZR_LEFT_OUT_CAUSES] = {
+        [ZR_LEFT_OUT_NO_ROOM] = "found no room", [ZR_LEFT_OUT_BY_VIEW] = "cannot be drawn in this view"};
     const struct zr_annotations *annotations = frame->annotations;
     for (uint32_t i = 0; annotations && i < annotations->left_out_count; i++) {
         const struct zr_left_out *mark = &annotations->left_out[i];

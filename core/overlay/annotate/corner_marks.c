@@ -217,8 +217,7 @@ void zr_scale_place(struct zr_layout *l)
     const struct zr_camera *camera = &l->frame->camera;
     const float *p = camera->projection.m;
     if (p[3] != 0.0f || p[7] != 0.0f || p[11] != 0.0f) {
-        zr_layout_leave_out(l, "scale", "lengths depend on the depth in a perspective view",
-                            ZR_LEFT_OUT_BY_VIEW);
+        zr_layout_leave_out(l, "scale", "lengths depend on the depth in a perspective view", ZR_LEFT_OUT_BY_VIEW);
         return;
     }
     const double h = l->letters;

@@ -33,13 +33,15 @@ static void set_text(const struct zr_layout *l, struct laid_out *out, struct zr_
     out->rect = zr_layout_text_rect(out->text_x, out->text_y, out->text_width, l->letters, 0.15 * l->letters);
 }
 
-static bool is_free(const struct zr_layout *l, const struct laid_out *out, bool may_cover)
+static bool is_free(const struct zr_layout *l, const struct laid_out *out, enum zr_line_room room)
 {
     if (!zr_layout_is_inside(l, out->rect) || !zr_layout_is_apart(l, out->rect) ||
-        (!may_cover && !zr_layout_is_background(l, out->rect)))
+        (room == ZR_ROOM_BESIDE && !zr_layout_is_background(l, out->rect)))
         return false;
     for (uint32_t i = 0; i < out->count; i++)
-        if (!zr_layout_is_line_free(l, out->lines[i]) || zr_layout_line_meets(out->lines[i], out->rect)) return false;
+        if (!(room == ZR_ROOM_ACROSS ? zr_layout_is_line_off_rects : zr_layout_is_line_free)(l, out->lines[i]) ||
+            zr_layout_line_meets(out->lines[i], out->rect))
+            return false;
     return true;
 }
 
@@ -56,7 +58,7 @@ static void draw(struct zr_layout *l, const struct zr_dimension_line *line, cons
         zr_marks_add_arrow(l->marks, out->tips[i], sign * out->arrow_x, sign * out->arrow_y, length,
                            arrow_share * length, ink);
     }
-    if (line->may_cover)
+    if (line->room != ZR_ROOM_BESIDE)
         zr_layout_write_over(l, line->text, out->text_x, out->text_y, l->letters, l->dimension);
     else
         zr_layout_write(l, line->text, out->text_x, out->text_y, l->letters, l->dimension, line->is_over_model);
@@ -98,7 +100,7 @@ static bool lay_outside(struct zr_layout *l, const struct zr_dimension_line *lin
     out->arrow_y = uy;
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         set_text(l, out, places[i]);
-        if (!is_free(l, out, line->may_cover)) continue;
+        if (!is_free(l, out, line->room)) continue;
         draw(l, line, out);
         return true;
     }
@@ -129,7 +131,7 @@ bool zr_dimension_line_place(struct zr_layout *l, const struct zr_dimension_line
     if (length < 2.0 * half + fmax(2.4 * arrow, short_room * h - 2.0 * text_gap * h))
         return lay_outside(l, line, &out, ux, uy);
     lay_inside(l, &out, ux, uy, half + l->line);
-    if (!is_free(l, &out, line->may_cover)) return false;
+    if (!is_free(l, &out, line->room)) return false;
     draw(l, line, &out);
     return true;
 }

@@ -102,13 +102,19 @@ bool zr_layout_is_apart(const struct zr_layout *layout, struct zr_rect rect)
     return true;
 }
 
-bool zr_layout_is_line_free(const struct zr_layout *layout, struct zr_segment line)
+bool zr_layout_is_line_off_rects(const struct zr_layout *layout, struct zr_segment line)
 {
     const struct zr_rect box = {fmin(line.from.x, line.to.x), fmin(line.from.y, line.to.y),
                                 fmax(line.from.x, line.to.x), fmax(line.from.y, line.to.y)};
     if (!zr_layout_is_inside(layout, box)) return false;
     for (uint32_t i = 0; i < layout->rect_count; i++)
         if (zr_layout_line_meets(line, layout->rects[i])) return false;
+    return true;
+}
+
+bool zr_layout_is_line_free(const struct zr_layout *layout, struct zr_segment line)
+{
+    if (!zr_layout_is_line_off_rects(layout, line)) return false;
     for (uint32_t i = 0; i < layout->segment_count; i++)
         if (cross(layout->segments[i], line)) return false;
     return true;

@@ -85,7 +85,10 @@ bool zr_layout_is_background(const struct zr_layout *layout, struct zr_rect rect
 /* True if the box overlaps no box and no line that was placed. */
 bool zr_layout_is_apart(const struct zr_layout *layout, struct zr_rect rect);
 
-/* True if the line lies in the window and crosses no box and no line that was placed. */
+/* True if the line lies in the window and crosses no box that was placed. */
+bool zr_layout_is_line_off_rects(const struct zr_layout *layout, struct zr_segment line);
+
+/* True if it crosses no line that was placed, either. */
 bool zr_layout_is_line_free(const struct zr_layout *layout, struct zr_segment line);
 
 /* True if the line has a point in the box. */

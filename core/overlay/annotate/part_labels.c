@@ -17,9 +17,9 @@ enum { PARTS_MAX = 1000, DEPTH_MAX = 60000, NAME_MAX = 200, OTHERS = 3 };
 /* A part that is visible. */
 struct label {
     const char *name;
-    double x, y; /* anchor: the rightmost place, then the topmost one */
+    double x, y;                    /* anchor: the rightmost place, then the topmost one */
     struct zr_point others[OTHERS]; /* the topmost, lowest and leftmost places: anchors if no leader is free */
-    double at;   /* middle of its line in the column */
+    double at;                      /* middle of its line in the column */
     uint32_t depth;
 };
 
@@ -310,8 +310,7 @@ static void draw_beside(struct zr_layout *l, const struct label *label, const ch
 }
 
 /* Draws a label on its line of the column, or on the nearest free place. */
-static void draw_label(struct zr_layout *l, const struct label *given, struct column c,
-                       const struct zr_model_map *map)
+static void draw_label(struct zr_layout *l, const struct label *given, struct column c, const struct zr_model_map *map)
 {
     enum { TRIES = 48 };
     const double h = l->letters;

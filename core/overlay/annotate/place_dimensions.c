@@ -149,8 +149,8 @@ static void take_cross(struct zr_layout *l, struct zr_point at)
 }
 
 /* Draws the dimension in the nearest free row, on the side that needs the shorter way first. Rows begin beyond the
- * bounds; with `may_cover` at the ends, and the text may lie on the model. */
-static bool place(struct zr_layout *l, const struct given *given, bool may_cover)
+ * bounds; with another room at the ends. */
+static bool place(struct zr_layout *l, const struct given *given, enum zr_line_room room)
 {
     const double x = given->foot.x - given->from.x, y = given->foot.y - given->from.y;
     if (!(given->pixels > 2.0 * l->line)) return false;
@@ -164,7 +164,7 @@ static bool place(struct zr_layout *l, const struct given *given, bool may_cover
     for (int i = 1; i <= ROWS; i++)
         for (int side = 0; side < 2; side++) {
             const double sign = side == 0 ? first : -first;
-            const double offset = (may_cover ? 0.0 : sign > 0.0 ? below : above) + row * l->letters * i;
+            const double offset = (room != ZR_ROOM_BESIDE ? 0.0 : sign > 0.0 ? below : above) + row * l->letters * i;
             const double mx = sign * nx * offset, my = sign * ny * offset;
             const struct zr_dimension_line line = {
                 .from = given->from,
@@ -174,7 +174,7 @@ static bool place(struct zr_layout *l, const struct given *given, bool may_cover
                 .dy = sign * ny,
                 .text = given->text,
                 .is_over_model = true,
-                .may_cover = may_cover};
+                .room = room};
             if (zr_dimension_line_place(l, &line)) return true;
         }
     return false;
@@ -183,7 +183,10 @@ static bool place(struct zr_layout *l, const struct given *given, bool may_cover
 /* Draws a length with its crosses. Returns why it has no place, or NULL. */
 static const char *draw_length(struct zr_layout *l, struct given *given)
 {
-    if (!place(l, given, false) && !place(l, given, true)) return given->pixels > 2.0 * l->line ? "no room" : "along the view";
+    bool is_placed = false;
+    for (int room = 0; room < ZR_ROOM_COUNT && !is_placed; room++)
+        is_placed = place(l, given, (enum zr_line_room)room);
+    if (!is_placed) return given->pixels > 2.0 * l->line ? "no room" : "along the view";
     draw_cross(l, given->from);
     draw_cross(l, given->to);
     given->is_drawn = true;
