@@ -5,7 +5,7 @@
 /* Widths in lines. */
 static const double pen = 0.55, gap = 2.2, beyond = 2.2;
 /* Sizes in heights of capitals. */
-static const double text_gap = 0.45, short_room = 4.5, tail = 2.2;
+static const double text_gap = 0.45, over_gap = 0.6, short_room = 4.5, tail = 2.2; /* over_gap: with descenders */
 
 /* Half of an arrow's width as a share of its length. */
 static const double arrow_share = 0.19;
@@ -127,7 +127,8 @@ bool zr_dimension_line_place(struct zr_layout *l, const struct zr_dimension_line
     for (int i = 0; i < 2; i++)
         out.lines[out.count++] = extension(l, i == 0 ? line->from : line->to, out.tips[i]);
     const double across = (0.5 * out.text_width + text_gap * h) / fmax(fabs(ux), 1e-9);
-    const double half = fmin(across, (0.5 + text_gap) * h / fmax(fabs(uy), 1e-9));
+    const double low = line->room == ZR_ROOM_BESIDE ? text_gap : over_gap;
+    const double half = fmin(across, (0.5 + low) * h / fmax(fabs(uy), 1e-9));
     if (length < 2.0 * half + fmax(2.4 * arrow, short_room * h - 2.0 * text_gap * h))
         return lay_outside(l, line, &out, ux, uy);
     lay_inside(l, &out, ux, uy, half + l->line);
