@@ -69,19 +69,46 @@ static enum zr_page_view view_of(const struct zr_placed_views *placed, const str
     return ZR_PAGE_ISOMETRIC;
 }
 
+/* Returns why no view shows a hole round with a note. */
+static enum zr_no_note why_unnoted(const struct zr_placed_views *placed, const struct zr_part_hole *hole)
+{
+    struct zr_placed_views whole = *placed;
+    whole.is_cut = false;
+    enum zr_no_note why = ZR_NO_NOTE_OBLIQUE;
+    for (int view = 0; view < ZR_PAGE_ISOMETRIC; view++) {
+        if (zr_hole_side_of(&whole, (enum zr_page_view)view, hole) != ZR_HOLE_ROUND) continue;
+        if (zr_hole_side_of(placed, (enum zr_page_view)view, hole) == ZR_HOLE_GONE) return ZR_NO_NOTE_CUT_AWAY;
+        why = ZR_NO_NOTE_HIDDEN;
+    }
+    return why;
+}
+
+static void leave_out(struct zr_hole_notes *notes, enum zr_no_note why, const char *text)
+{
+    struct zr_unnoted *unnoted = &notes->unnoted[why];
+    if (unnoted->count++ == 0) memcpy(unnoted->first, text, sizeof unnoted->first);
+}
+
 void zr_hole_notes_list(const struct zr_placed_views *placed, const struct zr_part_holes *holes,
                         struct zr_hole_notes *out)
 {
     out->count = 0;
+    memset(out->unnoted, 0, sizeof out->unnoted);
     for (uint32_t i = 0; i < holes->count; i++) {
         const enum zr_page_view view = view_of(placed, &holes->at[i]);
         char text[ZR_NOTE_SIZE];
         uint32_t n = 0;
-        if (view == ZR_PAGE_ISOMETRIC) continue;
         write_text(placed, &holes->at[i].hole, text);
+        if (view == ZR_PAGE_ISOMETRIC) {
+            leave_out(out, why_unnoted(placed, &holes->at[i]), text);
+            continue;
+        }
         while (n < out->count && !(out->at[n].view == view && strcmp(out->at[n].text, text) == 0))
             n++;
-        if (n == ZR_NOTES_MAX) continue;
+        if (n == ZR_NOTES_MAX) {
+            leave_out(out, ZR_NO_NOTE_BEYOND, text);
+            continue;
+        }
         struct zr_hole_note *note = &out->at[n];
         if (n == out->count) {
             *note = (struct zr_hole_note){.view = view};
@@ -297,6 +324,24 @@ static bool place_note(struct placing *p, const struct zr_hole_note *note)
     return false;
 }
 
+static void warn_of_unnoted(const struct zr_run *run, const struct zr_hole_notes *notes,
+                            struct zr_warning_list *warnings)
+{
+    static const char *const whys[ZR_NO_NOTE_COUNT] = {
+        [ZR_NO_NOTE_CUT_AWAY] = "cut away by the section in the view that would show it round",
+        [ZR_NO_NOTE_HIDDEN] = "hidden in the view that would show it round",
+        [ZR_NO_NOTE_OBLIQUE] = "round in no view",
+        [ZR_NO_NOTE_BEYOND] = "beyond the first 64 kinds of holes"};
+    for (int why = 0; why < ZR_NO_NOTE_COUNT; why++) {
+        const struct zr_unnoted *unnoted = &notes->unnoted[why];
+        if (unnoted->count == 1)
+            zr_warning_list_add(run->arena, warnings, "1 hole has no note, %s: it is %s", unnoted->first, whys[why]);
+        else if (unnoted->count > 1)
+            zr_warning_list_add(run->arena, warnings, "%u holes have no note, the first %s: it is %s", unnoted->count,
+                                unnoted->first, whys[why]);
+    }
+}
+
 uint32_t zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const struct zr_placed_views *placed,
                            const struct zr_part_holes *holes, const struct zr_hole_notes *notes,
                            const struct zr_page_box *boxes, uint32_t box_count, struct zr_warning_list *warnings)
@@ -318,5 +363,6 @@ uint32_t zr_hole_notes_add(const struct zr_run *run, struct zr_plot *plot, const
         else
             zr_warning_list_add(run->arena, warnings, "no room for the note of %u holes, %s", notes->at[i].count,
                                 notes->at[i].text);
+    warn_of_unnoted(run, notes, warnings);
     return noted;
 }

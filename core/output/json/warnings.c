@@ -6,6 +6,7 @@
 
 #include "base/matrix.h"
 #include "geometry/face.h"
+#include "overlay/annotate/annotate.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/mesh_label.h"
 #include "scene/output.h"
@@ -149,6 +150,25 @@ static void add_overlaps(struct zr_arena *arena, const struct zr_frame *frame, s
                             count, parts->list.at[first].name);
 }
 
+/* Adds warnings about marks that are not drawn. */
+static void add_annotations(struct zr_arena *arena, const struct zr_frame *frame, struct zr_warning_list *w)
+{
+    static const char *const texts[ZR_LEFT_OUT_CAUSES] = {
+        [ZR_LEFT_OUT_NO_ROOM] = "found no room", [ZR_LEFT_OUT_BY_VIEW] = "cannot be drawn in this view"};
+    const struct zr_annotations *annotations = frame->annotations;
+    for (uint32_t i = 0; annotations && i < annotations->left_out_count; i++) {
+        const struct zr_left_out *mark = &annotations->left_out[i];
+        if (mark->cause == ZR_LEFT_OUT_MISTAKE) zr_warning_list_add(arena, w, "/%s: %s", mark->what, mark->why);
+        if (mark->cause == ZR_LEFT_OUT_NOT_SEARCHED) zr_warning_list_add(arena, w, "annotate: %s", mark->why);
+    }
+    for (int cause = 0; annotations && cause < ZR_LEFT_OUT_CAUSES; cause++) {
+        const uint32_t count = annotations->causes[cause];
+        if (!texts[cause] || count == 0) continue;
+        zr_warning_list_add(arena, w, "%" PRIu32 " mark%s %s: info.annotations.leftOut lists %s", count,
+                            count == 1 ? "" : "s", texts[cause], count == 1 ? "it" : "them");
+    }
+}
+
 /* Counts the faces with a mask. */
 static uint64_t count_masked(const struct zr_scene *scene)
 {
@@ -273,6 +293,7 @@ struct zr_drawing_warnings zr_drawing_warnings_make(struct zr_arena *arena, cons
     add_counts(arena, scene, frame, &w.first);
     add_left_out(arena, frame, &w.first);
     add_overlaps(arena, frame, &w.first);
+    add_annotations(arena, frame, &w.first);
     if (!scene->is_undrawn) add_masked(arena, scene, &w.first);
     if (frame->sections && frame->sections->warning)
         zr_warning_list_add(arena, &w.first, "%s", frame->sections->warning);

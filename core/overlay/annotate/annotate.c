@@ -91,6 +91,14 @@ static void take_color_bar(struct zr_layout *l)
         l, (struct zr_rect){(double)all.x, (double)all.y, (double)(all.x + all.width), (double)(all.y + all.height)});
 }
 
+/* Notes that no dimension and no mark of the view is drawn. */
+static void leave_out_given(struct zr_layout *l, const char *why, enum zr_left_out_cause cause)
+{
+    const struct zr_annotate *annotate = &l->frame->view->annotate;
+    if (annotate->dimension_count > 0) zr_layout_leave_out(l, "dimensions", why, cause);
+    if (annotate->mark_count > 0) zr_layout_leave_out(l, "marks", why, cause);
+}
+
 /* Places what the view asks for. */
 static void place_all(struct zr_layout *l, struct zr_annotations *made)
 {
@@ -101,8 +109,11 @@ static void place_all(struct zr_layout *l, struct zr_annotations *made)
     for (int i = 0; i < ZR_ANNOTATE_COUNT; i++) {
         const bool is_fixed = i == ZR_ANNOTATE_TITLE || i == ZR_ANNOTATE_TRIAD;
         if (zr_annotate_has(annotate, (enum zr_annotation)i) && !is_fixed && (has_lens || !has_bounds))
-            zr_layout_leave_out(l, words[i], has_lens ? "the view has a lens" : "the scene has no points");
+            zr_layout_leave_out(l, words[i], has_lens ? "the view has a lens" : "the scene has no points",
+                                ZR_LEFT_OUT_BY_VIEW);
     }
+    if (has_lens || !has_bounds)
+        leave_out_given(l, has_lens ? "the view has a lens" : "the scene has no points", ZR_LEFT_OUT_BY_VIEW);
     take_color_bar(l);
     if (has_title) zr_title_place(l);
     if (zr_annotate_has(annotate, ZR_ANNOTATE_TRIAD)) zr_triad_place(l);
@@ -119,6 +130,7 @@ static void place_all(struct zr_layout *l, struct zr_annotations *made)
 enum zr_status zr_annotations_make(const struct zr_run *run, const struct zr_scene *scene, const struct zr_frame *frame,
                                    const struct zr_annotations **out)
 {
+    static const char small[] = "the window has a side below 200 pixels";
     *out = NULL;
     if (!zr_annotate_is_on(&frame->view->annotate)) return ZR_OK;
     struct zr_annotations *made = zr_arena_zero(run->arena, 1, sizeof *made);
@@ -131,14 +143,12 @@ enum zr_status zr_annotations_make(const struct zr_run *run, const struct zr_sce
     } else {
         for (int i = 0; i < ZR_ANNOTATE_COUNT; i++)
             if (zr_annotate_has(&frame->view->annotate, (enum zr_annotation)i))
-                zr_layout_leave_out(l, words[i], "the window has a side below 200 pixels");
-        if (frame->view->annotate.dimension_count > 0)
-            zr_layout_leave_out(l, "dimensions", "the window has a side below 200 pixels");
-        if (frame->view->annotate.mark_count > 0)
-            zr_layout_leave_out(l, "marks", "the window has a side below 200 pixels");
+                zr_layout_leave_out(l, words[i], small, ZR_LEFT_OUT_NO_ROOM);
+        leave_out_given(l, small, ZR_LEFT_OUT_NO_ROOM);
     }
     made->left_out = l->left_out;
     made->left_out_count = l->left_out_count;
+    memcpy(made->causes, l->causes, sizeof made->causes);
     *out = made;
     if (zr_is_cancelled(run->cancel)) return ZR_CANCELLED;
     return made->marks.has_failed || !zr_arena_ok(run->arena) ? ZR_NO_MEMORY : ZR_OK;

@@ -17,6 +17,7 @@ struct zr_annotations {
     uint32_t left_out_count, numbered_count;
     const struct zr_left_out *left_out;
     const struct zr_numbered_part *numbered;
+    uint32_t causes[ZR_LEFT_OUT_CAUSES]; /* how many marks are left out by each */
 };
 
 /* Makes the marks of a frame, in `arena`. *out is NULL if the view asks for none. The view has the

@@ -278,9 +278,10 @@ void zr_box_dimensions_place(struct zr_layout *layout, const char *unit)
         snprintf(what, sizeof what, "dimension %s", axis_names[axis]);
         zr_length_write(of_axis(size, axis), largest, unit, text);
         if (!is_seen)
-            zr_layout_leave_out(layout, what, "behind the eye");
+            zr_layout_leave_out(layout, what, "behind the eye", ZR_LEFT_OUT_BY_VIEW);
         else if (!place_axis(layout, &box, order[i], text, &has_way))
-            zr_layout_leave_out(layout, what, has_way ? "no room" : "along the view");
+            zr_layout_leave_out(layout, what, has_way ? "no room" : "along the view",
+                                has_way ? ZR_LEFT_OUT_NO_ROOM : ZR_LEFT_OUT_UNSEEN);
     }
     if (is_seen) lead_corners(layout, &box);
 }

@@ -80,7 +80,7 @@ void zr_title_place(struct zr_layout *l)
     const struct zr_rect rect = zr_layout_text_rect(x, first, zr_type_width(name, large), large, 0.2 * h);
     const struct zr_rect rest = zr_layout_text_rect(x, second, zr_type_width(line, h), h, 0.2 * h);
     if (!zr_layout_is_apart(l, rect) || !zr_layout_is_apart(l, rest)) {
-        zr_layout_leave_out(l, "title", "no room");
+        zr_layout_leave_out(l, "title", "no room", ZR_LEFT_OUT_NO_ROOM);
         return;
     }
     if (*name) zr_layout_write(l, name, x, first, large, l->ink, true);
@@ -189,7 +189,7 @@ void zr_triad_place(struct zr_layout *l)
     rect = (struct zr_rect){center.x + rect.x0 - 0.3 * h, center.y + rect.y0 - 0.3 * h, center.x + rect.x1 + 0.3 * h,
                             center.y + rect.y1 + 0.3 * h};
     if (!zr_layout_is_apart(l, rect)) {
-        zr_layout_leave_out(l, "triad", "no room");
+        zr_layout_leave_out(l, "triad", "no room", ZR_LEFT_OUT_NO_ROOM);
         return;
     }
     for (int i = 0; i < 3; i++) {
@@ -217,7 +217,7 @@ void zr_scale_place(struct zr_layout *l)
     const struct zr_camera *camera = &l->frame->camera;
     const float *p = camera->projection.m;
     if (p[3] != 0.0f || p[7] != 0.0f || p[11] != 0.0f) {
-        zr_layout_leave_out(l, "scale", "lengths depend on the depth in a perspective view");
+        zr_layout_leave_out(l, "scale", "lengths depend on the depth in a perspective view", ZR_LEFT_OUT_BY_VIEW);
         return;
     }
     const double h = l->letters;
@@ -239,7 +239,7 @@ void zr_scale_place(struct zr_layout *l)
     const struct zr_rect rect = {left - 0.5 * zero - 0.4 * h, base - 1.3 * h, right + 0.5 * text_width + 0.4 * h,
                                  bottom + 0.4 * h};
     if (!zr_layout_is_inside(l, rect) || !zr_layout_is_apart(l, rect)) {
-        zr_layout_leave_out(l, "scale", "no room");
+        zr_layout_leave_out(l, "scale", "no room", ZR_LEFT_OUT_NO_ROOM);
         return;
     }
     fill(l, left - line, top - line, right + line, bottom + line, l->ink);

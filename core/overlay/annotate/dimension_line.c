@@ -5,7 +5,7 @@
 /* Widths in lines. */
 static const double pen = 0.55, gap = 2.2, beyond = 2.2;
 /* Sizes in heights of capitals. */
-static const double text_gap = 0.45, short_room = 4.5, tail = 2.2;
+static const double text_gap = 0.45, over_gap = 0.6, short_room = 4.5, tail = 2.2; /* over_gap: with descenders */
 
 /* Half of an arrow's width as a share of its length. */
 static const double arrow_share = 0.19;
@@ -33,13 +33,15 @@ static void set_text(const struct zr_layout *l, struct laid_out *out, struct zr_
     out->rect = zr_layout_text_rect(out->text_x, out->text_y, out->text_width, l->letters, 0.15 * l->letters);
 }
 
-static bool is_free(const struct zr_layout *l, const struct laid_out *out)
+static bool is_free(const struct zr_layout *l, const struct laid_out *out, enum zr_line_room room)
 {
     if (!zr_layout_is_inside(l, out->rect) || !zr_layout_is_apart(l, out->rect) ||
-        !zr_layout_is_background(l, out->rect))
+        (room == ZR_ROOM_BESIDE && !zr_layout_is_background(l, out->rect)))
         return false;
     for (uint32_t i = 0; i < out->count; i++)
-        if (!zr_layout_is_line_free(l, out->lines[i]) || zr_layout_line_meets(out->lines[i], out->rect)) return false;
+        if (!(room == ZR_ROOM_ACROSS ? zr_layout_is_line_off_rects : zr_layout_is_line_free)(l, out->lines[i]) ||
+            zr_layout_line_meets(out->lines[i], out->rect))
+            return false;
     return true;
 }
 
@@ -56,7 +58,10 @@ static void draw(struct zr_layout *l, const struct zr_dimension_line *line, cons
         zr_marks_add_arrow(l->marks, out->tips[i], sign * out->arrow_x, sign * out->arrow_y, length,
                            arrow_share * length, ink);
     }
-    zr_layout_write(l, line->text, out->text_x, out->text_y, l->letters, l->dimension, line->is_over_model);
+    if (line->room != ZR_ROOM_BESIDE)
+        zr_layout_write_over(l, line->text, out->text_x, out->text_y, l->letters, l->dimension);
+    else
+        zr_layout_write(l, line->text, out->text_x, out->text_y, l->letters, l->dimension, line->is_over_model);
     zr_layout_take_rect(l, out->rect);
 }
 
@@ -95,7 +100,7 @@ static bool lay_outside(struct zr_layout *l, const struct zr_dimension_line *lin
     out->arrow_y = uy;
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         set_text(l, out, places[i]);
-        if (!is_free(l, out)) continue;
+        if (!is_free(l, out, line->room)) continue;
         draw(l, line, out);
         return true;
     }
@@ -122,11 +127,12 @@ bool zr_dimension_line_place(struct zr_layout *l, const struct zr_dimension_line
     for (int i = 0; i < 2; i++)
         out.lines[out.count++] = extension(l, i == 0 ? line->from : line->to, out.tips[i]);
     const double across = (0.5 * out.text_width + text_gap * h) / fmax(fabs(ux), 1e-9);
-    const double half = fmin(across, (0.5 + text_gap) * h / fmax(fabs(uy), 1e-9));
+    const double low = line->room == ZR_ROOM_BESIDE ? text_gap : over_gap;
+    const double half = fmin(across, (0.5 + low) * h / fmax(fabs(uy), 1e-9));
     if (length < 2.0 * half + fmax(2.4 * arrow, short_room * h - 2.0 * text_gap * h))
         return lay_outside(l, line, &out, ux, uy);
     lay_inside(l, &out, ux, uy, half + l->line);
-    if (!is_free(l, &out)) return false;
+    if (!is_free(l, &out, line->room)) return false;
     draw(l, line, &out);
     return true;
 }

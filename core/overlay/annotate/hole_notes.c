@@ -1,5 +1,6 @@
 #include "overlay/annotate/hole_notes.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -281,7 +282,8 @@ static void place_all(struct zr_layout *l, const struct zr_model_map *map, const
         if (best[i].cost < HUGE_VAL)
             draw(l, &best[i], groups[i].note_text, l->ink);
         else
-            zr_layout_leave_out(l, groups[i].note_text, groups[i].seen > 0 ? "no room" : "not seen");
+            zr_layout_leave_out(l, groups[i].note_text, groups[i].seen > 0 ? "no room" : "not seen",
+                                groups[i].seen > 0 ? ZR_LEFT_OUT_NO_ROOM : ZR_LEFT_OUT_UNSEEN);
 }
 
 const char *zr_hole_note_place(struct zr_layout *l, const struct zr_model_map *map, const struct zr_hole *hole,
@@ -306,15 +308,37 @@ static void write_texts(struct group *groups, uint32_t count)
             snprintf(groups[i].note_text, sizeof groups[i].note_text, "%s", groups[i].text);
 }
 
+/* Notes where holes were not searched. */
+static void leave_out_unsearched(struct zr_layout *l)
+{
+    enum { SIZE = 128 };
+    const struct zr_frame_parts *parts = &l->frame->parts;
+    uint64_t count = parts->list.total - parts->list.count;
+    for (uint32_t p = 0; p < parts->list.count; p++)
+        count += parts->features[p].is_omitted && !parts->facts[p].is_hidden;
+    char *why = zr_arena_alloc(l->arena, SIZE, 1);
+    if (!why) return;
+    if (count > 0) {
+        snprintf(why, SIZE, "holes were not searched in %" PRIu64 " part%s too large or too many", count,
+                 count == 1 ? ", which is" : "s, which are");
+        zr_layout_leave_out(l, "holes", why, ZR_LEFT_OUT_NOT_SEARCHED);
+    }
+    if (l->scene->csg)
+        zr_layout_leave_out(l, "holes", "holes were not searched in the combined solid, which has no mesh",
+                            ZR_LEFT_OUT_NOT_SEARCHED);
+}
+
 void zr_hole_notes_place(struct zr_layout *l, const char *unit)
 {
     struct zr_model_map map;
     uint32_t beyond;
-    if (!l->frame->parts.features || !l->frame->depth || !zr_model_map_make(l, &map)) return;
+    if (!l->frame->parts.features) return;
+    leave_out_unsearched(l);
+    if (!l->frame->depth || !zr_model_map_make(l, &map)) return;
     struct group *groups = zr_arena_alloc(l->arena, GROUPS_MAX, sizeof *groups);
     if (!groups) return;
     const uint32_t count = list_groups(l, unit, groups, &beyond);
     write_texts(groups, count);
     place_all(l, &map, groups, count);
-    if (beyond > 0) zr_layout_leave_out(l, "more holes", "more than 64 kinds of holes");
+    if (beyond > 0) zr_layout_leave_out(l, "more holes", "more than 64 kinds of holes", ZR_LEFT_OUT_NO_ROOM);
 }

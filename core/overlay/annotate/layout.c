@@ -102,13 +102,19 @@ bool zr_layout_is_apart(const struct zr_layout *layout, struct zr_rect rect)
     return true;
 }
 
-bool zr_layout_is_line_free(const struct zr_layout *layout, struct zr_segment line)
+bool zr_layout_is_line_off_rects(const struct zr_layout *layout, struct zr_segment line)
 {
     const struct zr_rect box = {fmin(line.from.x, line.to.x), fmin(line.from.y, line.to.y),
                                 fmax(line.from.x, line.to.x), fmax(line.from.y, line.to.y)};
     if (!zr_layout_is_inside(layout, box)) return false;
     for (uint32_t i = 0; i < layout->rect_count; i++)
         if (zr_layout_line_meets(line, layout->rects[i])) return false;
+    return true;
+}
+
+bool zr_layout_is_line_free(const struct zr_layout *layout, struct zr_segment line)
+{
+    if (!zr_layout_is_line_off_rects(layout, line)) return false;
     for (uint32_t i = 0; i < layout->segment_count; i++)
         if (cross(layout->segments[i], line)) return false;
     return true;
@@ -124,11 +130,12 @@ void zr_layout_take_line(struct zr_layout *layout, struct zr_segment line)
     if (layout->segment_count < ZR_LAYOUT_SEGMENTS) layout->segments[layout->segment_count++] = line;
 }
 
-void zr_layout_leave_out(struct zr_layout *layout, const char *what, const char *why)
+void zr_layout_leave_out(struct zr_layout *layout, const char *what, const char *why, enum zr_left_out_cause cause)
 {
+    layout->causes[cause]++;
     if (layout->left_out_count == ZR_LEFT_OUT_MAX) return;
     const char *copy = zr_arena_copy(layout->arena, what, strlen(what) + 1);
-    if (copy) layout->left_out[layout->left_out_count++] = (struct zr_left_out){copy, why};
+    if (copy) layout->left_out[layout->left_out_count++] = (struct zr_left_out){copy, why, cause};
 }
 
 struct zr_ink zr_layout_ink(const struct zr_layout *layout, uint32_t color, double lines, bool has_halo)
@@ -153,6 +160,12 @@ void zr_layout_write(struct zr_layout *layout, const char *text, double x, doubl
     ink.width = 0.0;
     if (has_halo && layout->frame->color) ink.paper = paper_around(layout, x, y, zr_type_width(text, height), height);
     zr_marks_add_text(layout->marks, text, place, ink);
+}
+
+void zr_layout_write_over(struct zr_layout *layout, const char *text, double x, double y, double height, uint32_t color)
+{
+    const struct zr_type_place place = {floor(x + 0.5) + 0.5, floor(y + 0.5) - 0.5, height, 1.0, 0.0};
+    zr_marks_add_text(layout->marks, text, place, zr_layout_ink(layout, color, 0.0, true));
 }
 
 void zr_layout_draw(struct zr_layout *layout, struct zr_segment line, uint32_t color, double lines, bool has_halo)

@@ -20,9 +20,21 @@ struct zr_segment {
     struct zr_point from, to;
 };
 
-/* What found no room, with the reason; both are in the arena or literals. */
+/* Causes, as warnings tell them apart. There is no warning of UNSEEN: what lies on the other side of the model, and the
+ * axis of the box along the view. */
+enum zr_left_out_cause {
+    ZR_LEFT_OUT_NO_ROOM,
+    ZR_LEFT_OUT_BY_VIEW,
+    ZR_LEFT_OUT_UNSEEN,
+    ZR_LEFT_OUT_NOT_SEARCHED,
+    ZR_LEFT_OUT_MISTAKE,
+    ZR_LEFT_OUT_CAUSES
+};
+
+/* What is not drawn, with the reason; both are in the arena or literals. */
 struct zr_left_out {
     const char *what, *why;
+    enum zr_left_out_cause cause;
 };
 
 /* A numbered label of a part. */
@@ -52,6 +64,7 @@ struct zr_layout {
     struct zr_rect rects[ZR_LAYOUT_RECTS];
     struct zr_segment segments[ZR_LAYOUT_SEGMENTS];
     struct zr_left_out left_out[ZR_LEFT_OUT_MAX];
+    uint32_t causes[ZR_LEFT_OUT_CAUSES]; /* marks by cause, also those beyond the list */
 };
 
 /* Moves a place of the file to the world. A scene in JSON has its origin subtracted already. */
@@ -72,7 +85,10 @@ bool zr_layout_is_background(const struct zr_layout *layout, struct zr_rect rect
 /* True if the box overlaps no box and no line that was placed. */
 bool zr_layout_is_apart(const struct zr_layout *layout, struct zr_rect rect);
 
-/* True if the line lies in the window and crosses no box and no line that was placed. */
+/* True if the line lies in the window and crosses no box that was placed. */
+bool zr_layout_is_line_off_rects(const struct zr_layout *layout, struct zr_segment line);
+
+/* True if it crosses no line that was placed, either. */
 bool zr_layout_is_line_free(const struct zr_layout *layout, struct zr_segment line);
 
 /* True if the line has a point in the box. */
@@ -82,8 +98,8 @@ bool zr_layout_line_meets(struct zr_segment line, struct zr_rect rect);
 void zr_layout_take_rect(struct zr_layout *layout, struct zr_rect rect);
 void zr_layout_take_line(struct zr_layout *layout, struct zr_segment line);
 
-/* Notes what found no room. `what` is copied. */
-void zr_layout_leave_out(struct zr_layout *layout, const char *what, const char *why);
+/* Notes what is not drawn. `what` is copied. */
+void zr_layout_leave_out(struct zr_layout *layout, const char *what, const char *why, enum zr_left_out_cause cause);
 
 /* Returns an ink of a width in lines, with a halo or without. */
 struct zr_ink zr_layout_ink(const struct zr_layout *layout, uint32_t color, double lines, bool has_halo);
@@ -91,6 +107,10 @@ struct zr_ink zr_layout_ink(const struct zr_layout *layout, uint32_t color, doub
 /* Adds a horizontal text with its ink's left end at x. */
 void zr_layout_write(struct zr_layout *layout, const char *text, double x, double y, double height, uint32_t color,
                      bool has_halo);
+
+/* The same over the model, with a halo of the paper, whatever is below. */
+void zr_layout_write_over(struct zr_layout *layout, const char *text, double x, double y, double height,
+                          uint32_t color);
 
 /* Adds a line of a width in lines. */
 void zr_layout_draw(struct zr_layout *layout, struct zr_segment line, uint32_t color, double lines, bool has_halo);

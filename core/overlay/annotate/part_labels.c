@@ -17,9 +17,9 @@ enum { PARTS_MAX = 1000, DEPTH_MAX = 60000, NAME_MAX = 200, OTHERS = 3 };
 /* A part that is visible. */
 struct label {
     const char *name;
-    double x, y; /* anchor: the rightmost place, then the topmost one */
+    double x, y;                    /* anchor: the rightmost place, then the topmost one */
     struct zr_point others[OTHERS]; /* the topmost, lowest and leftmost places: anchors if no leader is free */
-    double at;   /* middle of its line in the column */
+    double at;                      /* middle of its line in the column */
     uint32_t depth;
 };
 
@@ -301,7 +301,7 @@ static void draw_beside(struct zr_layout *l, const struct label *label, const ch
     for (int i = 0; i < OTHERS && map; i++)
         zr_leader_note_find(l, map, find_tip, &label->others[i], width, &note);
     if (note.cost == HUGE_VAL) {
-        zr_layout_leave_out(l, label->name, "no room");
+        zr_layout_leave_out(l, label->name, "no room", ZR_LEFT_OUT_NO_ROOM);
         return;
     }
     zr_leader_note_draw(l, &note, name, l->ink);
@@ -310,8 +310,7 @@ static void draw_beside(struct zr_layout *l, const struct label *label, const ch
 }
 
 /* Draws a label on its line of the column, or on the nearest free place. */
-static void draw_label(struct zr_layout *l, const struct label *given, struct column c,
-                       const struct zr_model_map *map)
+static void draw_label(struct zr_layout *l, const struct label *given, struct column c, const struct zr_model_map *map)
 {
     enum { TRIES = 48 };
     const double h = l->letters;
@@ -381,7 +380,7 @@ static void draw_numbers(struct zr_layout *l, struct label *labels, uint32_t cou
         const struct zr_rect rect = {x - half, y - half, x + half, y + half};
         list[i] = (struct zr_numbered_part){i + 1, labels[i].name};
         if (!zr_layout_is_apart(l, rect)) {
-            zr_layout_leave_out(l, labels[i].name, "no room");
+            zr_layout_leave_out(l, labels[i].name, "no room", ZR_LEFT_OUT_NO_ROOM);
             continue;
         }
         const struct zr_point center = {x, y};

@@ -42,23 +42,30 @@ static uint32_t pick_number(const struct zr_layout *l, const struct zr_dimension
     return number;
 }
 
-/* Returns the hole of an end, or NULL if there is none. */
-static const struct zr_hole *hole_of(const struct zr_layout *l, const struct zr_dimension_end *end)
+/* Returns the hole of an end, or NULL if there is none: *why then says so. */
+static const struct zr_hole *hole_of(const struct zr_layout *l, const struct zr_dimension_end *end, const char **why)
 {
+    static const char no_search[] = "holes were not searched in this part, which is too large";
     const struct zr_frame_parts *parts = &l->frame->parts;
+    bool is_searched = parts->list.count == parts->list.total;
+    *why = end->part ? "no part has this name" : "no such hole";
     for (uint32_t p = 0; p < parts->list.count && parts->features; p++) {
         const struct zr_holes *holes = &parts->features[p].holes;
         const bool is_omitted = parts->features[p].is_omitted || holes->hole_count == 0;
+        is_searched = is_searched && !parts->features[p].is_omitted;
         if (end->part ? strcmp(end->part, parts->list.at[p].name) != 0 : is_omitted) continue;
+        *why = parts->features[p].is_omitted ? no_search : "no such hole";
         uint32_t group = 0, index = 0;
         for (uint32_t i = 0; i < holes->hole_count && !is_omitted; i++) {
             if (holes->holes[i].group != i) continue;
             if (group++ != end->hole) continue;
             for (uint32_t k = i; k < holes->hole_count; k++)
                 if (holes->holes[k].group == i && index++ == end->index) return &holes->holes[k];
+            *why = "the group has fewer holes than index says";
         }
         return NULL;
     }
+    if (!end->part && !is_searched) *why = "no part with holes was found, and some were not searched";
     return NULL;
 }
 
@@ -66,8 +73,9 @@ static const struct zr_hole *hole_of(const struct zr_layout *l, const struct zr_
 static const char *find_end(const struct zr_layout *l, const struct zr_dimension_end *end, zr_dvec3 *out)
 {
     if (end->is_hole) {
-        const struct zr_hole *hole = hole_of(l, end);
-        if (!hole) return "no such hole";
+        const char *why;
+        const struct zr_hole *hole = hole_of(l, end, &why);
+        if (!hole) return why;
         *out = hole->at;
     } else if (end->is_pick) {
         const uint32_t number = pick_number(l, end);
@@ -87,7 +95,8 @@ static struct given measure(const struct zr_layout *l, uint32_t number)
     given.why = find_end(l, &d->from, &given.ends[0]);
     if (!given.why && d->has_to) given.why = find_end(l, &d->to, &given.ends[1]);
     if (!given.why && d->has_at) given.why = find_end(l, &d->at, &given.ends[2]);
-    if (!d->has_to) given.hole = given.why ? NULL : hole_of(l, &d->from);
+    const char *none;
+    if (!d->has_to) given.hole = given.why ? NULL : hole_of(l, &d->from, &none);
     given.text = d->label;
     if (given.why || given.hole || d->kind == ZR_DIMENSION_ANGLE) return given;
     const zr_dvec3 from = given.ends[0], to = given.ends[1], way = zr_dvec3_sub(to, from);
@@ -101,6 +110,7 @@ static struct given measure(const struct zr_layout *l, uint32_t number)
     const bool is_seen = zr_layout_project(l, from, &given.from) && zr_layout_project(l, to, &given.to) &&
                          zr_layout_project(l, foot, &given.foot);
     if (!is_seen) given.why = "behind the eye";
+    if (!(given.length > 0.0)) given.why = "it has no length";
     const double x = given.foot.x - given.from.x, y = given.foot.y - given.from.y;
     given.pixels = sqrt(x * x + y * y);
     return given;
@@ -138,8 +148,9 @@ static void take_cross(struct zr_layout *l, struct zr_point at)
     zr_layout_take_line(l, (struct zr_segment){{at.x, at.y - r}, {at.x, at.y + r}});
 }
 
-/* Draws the dimension in the nearest free row, on the side that needs the shorter way first. */
-static bool place(struct zr_layout *l, const struct given *given)
+/* Draws the dimension in the nearest free row, on the side that needs the shorter way first. Rows begin beyond the
+ * bounds; with another room at the ends. */
+static bool place(struct zr_layout *l, const struct given *given, enum zr_line_room room)
 {
     const double x = given->foot.x - given->from.x, y = given->foot.y - given->from.y;
     if (!(given->pixels > 2.0 * l->line)) return false;
@@ -153,7 +164,7 @@ static bool place(struct zr_layout *l, const struct given *given)
     for (int i = 1; i <= ROWS; i++)
         for (int side = 0; side < 2; side++) {
             const double sign = side == 0 ? first : -first;
-            const double offset = (sign > 0.0 ? below : above) + row * l->letters * i;
+            const double offset = (room != ZR_ROOM_BESIDE ? 0.0 : sign > 0.0 ? below : above) + row * l->letters * i;
             const double mx = sign * nx * offset, my = sign * ny * offset;
             const struct zr_dimension_line line = {
                 .from = given->from,
@@ -162,7 +173,8 @@ static bool place(struct zr_layout *l, const struct given *given)
                 .dx = sign * nx,
                 .dy = sign * ny,
                 .text = given->text,
-                .is_over_model = true};
+                .is_over_model = true,
+                .room = room};
             if (zr_dimension_line_place(l, &line)) return true;
         }
     return false;
@@ -171,7 +183,10 @@ static bool place(struct zr_layout *l, const struct given *given)
 /* Draws a length with its crosses. Returns why it has no place, or NULL. */
 static const char *draw_length(struct zr_layout *l, struct given *given)
 {
-    if (!place(l, given)) return given->pixels > 2.0 * l->line ? "no room" : "along the view";
+    bool is_placed = false;
+    for (int room = 0; room < ZR_ROOM_COUNT && !is_placed; room++)
+        is_placed = place(l, given, (enum zr_line_room)room);
+    if (!is_placed) return given->pixels > 2.0 * l->line ? "no room" : "along the view";
     draw_cross(l, given->from);
     draw_cross(l, given->to);
     given->is_drawn = true;
@@ -204,11 +219,17 @@ static struct given *measure_all(struct zr_layout *l, uint32_t count, double *la
     return all;
 }
 
+/* Leaves out a dimension. It is a mistake of the caller if the reason is not one of the picture. */
 static void leave_out(struct zr_layout *l, const struct given *given, const char *why)
 {
+    static const char *const by_view[] = {"behind the eye", "along the view", "not seen"};
     char what[32];
+    enum zr_left_out_cause cause = ZR_LEFT_OUT_MISTAKE;
+    if (strcmp(why, "no room") == 0 || strcmp(why, "no memory") == 0) cause = ZR_LEFT_OUT_NO_ROOM;
+    for (size_t i = 0; i < sizeof by_view / sizeof *by_view; i++)
+        if (strcmp(why, by_view[i]) == 0) cause = ZR_LEFT_OUT_BY_VIEW;
     snprintf(what, sizeof what, "dimensions/%u", given->number);
-    zr_layout_leave_out(l, what, why);
+    zr_layout_leave_out(l, what, why, cause);
 }
 
 /* Angles, then circles, then holes. */

@@ -96,6 +96,7 @@ void zr_place_marks_place(struct zr_layout *l)
         char what[32];
         if (is_seen[i] && place(l, at[i], annotate->marks[i].text)) continue;
         snprintf(what, sizeof what, "marks/%u", i);
-        zr_layout_leave_out(l, what, is_seen[i] ? "no room" : "behind the eye");
+        zr_layout_leave_out(l, what, is_seen[i] ? "no room" : "behind the eye",
+                            is_seen[i] ? ZR_LEFT_OUT_NO_ROOM : ZR_LEFT_OUT_BY_VIEW);
     }
 }

@@ -314,6 +314,73 @@ TEST(dimensions_end_at_holes_and_picks_and_measure_circles_and_angles)
     reading_free(reading);
 }
 
+/* A plate seen from above. */
+static struct reading *read_flat(const int side[2], const char *dimensions)
+{
+    char text[1024];
+    snprintf(text, sizeof text,
+             "{\"window\": {\"width\": %d, \"height\": %d}, \"look\": \"technical\", \"view\": {\"preset\": "
+             "\"top\"}, \"dimensions\": [%s], \"meshes\": [{\"name\": \"plate\", \"shape\": {\"type\": \"box\", "
+             "\"size\": [40, 5, 30]}}]}",
+             side[0], side[1], dimensions);
+    return read_scene(text);
+}
+
+TEST(oblique_dimensions_are_drawn_in_flat_views)
+{
+    static const int windows[][2] = {{480, 360}, {640, 480}, {1600, 1200}};
+    static const char *const dimensions[] = {"{\"from\": [-15, 2.5, -10], \"to\": [15, 2.5, 10]}",
+                                             "{\"from\": [-15, 2.5, 10], \"to\": [0, 2.5, -10]}",
+                                             "{\"from\": [-15, 2.5, -10], \"to\": [15, 2.5, 10]}, "
+                                             "{\"from\": [-15, 2.5, 10], \"to\": [15, 2.5, -10]}"};
+    for (size_t s = 0; s < sizeof windows / sizeof *windows; s++)
+        for (size_t d = 0; d < sizeof dimensions / sizeof *dimensions; d++) {
+            struct reading *reading = read_flat(windows[s], dimensions[d]);
+            const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+            assert_int_equal(frame->annotations->left_out_count, 0);
+            assert_non_null(mark_of(&frame->annotations->marks, d == 1 ? "25" : "36.06"));
+            assert_apart(&frame->annotations->marks, windows[s], 0, 0);
+            reading_free(reading);
+        }
+}
+
+TEST(dimensions_that_are_not_drawn_are_warned_of)
+{
+    static const int large[2] = {480, 360}, small[2] = {199, 360};
+    static const struct {
+        const int *side;
+        const char *dimensions, *warnings;
+    } cases[] = {
+        {large, "{\"from\": [-20, 2.5, 15], \"to\": [20, 2.5, 15]}", ""},
+        {large, "{\"from\": [0, 2.5, 0], \"to\": [9, 2.5, 0]}, {\"from\": {\"hole\": 9}, \"to\": [0, 0, 0]}",
+         "/dimensions/1: no such hole"},
+        {large, "{\"from\": {\"hole\": 0, \"part\": \"x\"}, \"to\": [0, 0, 0]}",
+         "/dimensions/0: no part has this name"},
+        {large, "{\"from\": {\"pick\": [0, 0]}, \"to\": [0, 0, 0]}", "/dimensions/0: nothing is at the pixel"},
+        {large, "{\"from\": [1, 2, 3], \"to\": [1, 2, 3]}", "/dimensions/0: it has no length"},
+        {large, "{\"from\": [1, 0, 3], \"to\": [1, 2, 3]}, {\"from\": [2, 0, 3], \"to\": [2, 2, 3]}",
+         "2 marks cannot be drawn in this view: info.annotations.leftOut lists them"},
+        {small, "{\"from\": [0, 2.5, 0], \"to\": [9, 2.5, 0]}",
+         "1 mark found no room: info.annotations.leftOut lists it"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct reading *reading = read_flat(cases[i].side, cases[i].dimensions);
+        assert_string_equal(scene_encode(&reading->arena, NULL, reading->scene).warnings, cases[i].warnings);
+        reading_free(reading);
+    }
+}
+
+TEST(holes_that_were_not_searched_are_listed_and_warned_of)
+{
+    struct reading *reading = read_scene(
+        "{\"window\": {\"width\": 320, \"height\": 240}, \"annotate\": [\"holes\"], \"csg\": {\"difference\": "
+        "[\"body\", \"tool\"]}, \"meshes\": [{\"name\": \"body\", \"shape\": {\"type\": \"box\", \"size\": [4, 1, "
+        "3]}}, {\"name\": \"tool\", \"shape\": {\"type\": \"cylinder\", \"radius\": 0.5, \"height\": 3}}]}");
+    assert_string_equal(scene_encode(&reading->arena, NULL, reading->scene).warnings,
+                        "annotate: holes were not searched in the combined solid, which has no mesh");
+    reading_free(reading);
+}
+
 TEST(lengths_have_four_digits_that_count)
 {
     static const struct {

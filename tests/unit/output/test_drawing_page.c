@@ -1,6 +1,7 @@
-/* Paper of technical drawings: scales, places of the views, texts of scales. */
+/* Paper of technical drawings: scales, places of the views, texts of scales, holes with notes. */
 #include <math.h>
 
+#include "drawing/hole_notes.h"
 #include "drawing/page.h"
 #include "support/random.h"
 #include "support/tests.h"
@@ -105,6 +106,39 @@ TEST(scales_are_read_and_written)
     }
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         assert_false(zr_page_scale_read(bad[i], &scale));
+}
+
+/* A blind hole from above, a bore across, and an oblique one. The top view is cut below the blind hole. */
+TEST(each_hole_has_a_note_or_a_reason)
+{
+    static struct zr_hole_notes notes;
+    struct zr_part_hole at[] = {
+        {.hole = {.axis = {0, -1, 0}, .diameter = 8, .coverage = 360, .reach = ZR_REACH_BLIND},
+         .ends = {{0, 10, 0}, {0, 4, 0}},
+         .radius = 4},
+        {.hole = {.axis = {0, 0, -1}, .diameter = 5, .coverage = 360}, .ends = {{9, 1, 9}, {9, 1, 0}}, .radius = 2.5},
+        {.hole = {.axis = {0.6, 0.8, 0}, .diameter = 3, .coverage = 360},
+         .ends = {{5, 0, 0}, {6, 1, 0}},
+         .radius = 1.5}};
+    const struct zr_part_holes holes = {.count = sizeof at / sizeof *at, .at = at};
+    struct zr_placed_views placed = {
+        .unit = 1, .sizes = {40, 10, 30}, .has_hidden = true, .cut = ZR_PAGE_TOP, .cut_place = 3};
+    for (int view = 0; view < ZR_PAGE_VIEWS; view++)
+        placed.views[view].axes = zr_view_axes_of((enum zr_page_view)view, false);
+    for (int is_cut = 0; is_cut < 2; is_cut++) {
+        placed.is_cut = is_cut;
+        zr_hole_notes_list(&placed, &holes, &notes);
+        assert_int_equal(notes.count, 2 - is_cut);
+        assert_int_equal(notes.unnoted[ZR_NO_NOTE_CUT_AWAY].count, is_cut);
+        assert_int_equal(notes.unnoted[ZR_NO_NOTE_OBLIQUE].count, 1);
+        assert_int_equal(notes.unnoted[ZR_NO_NOTE_HIDDEN].count, 0);
+    }
+    assert_true(strstr(notes.unnoted[ZR_NO_NOTE_CUT_AWAY].first, "8"));
+    placed.has_hidden = false;
+    at[0].hole.axis.y = 1; /* opens downwards */
+    placed.is_cut = false;
+    zr_hole_notes_list(&placed, &holes, &notes);
+    assert_int_equal(notes.unnoted[ZR_NO_NOTE_HIDDEN].count, 1);
 }
 
 RUN_TESTS(NULL, NULL)
