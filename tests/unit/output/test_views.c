@@ -21,8 +21,8 @@ TEST_AROUND(items_equal_scenes_with_their_keys, open_arena, close_arena)
         "\"ghost\": \"n\", \"highlight\": \"m\"",
         "\"explode\": 1.5",
         "\"sections\": {\"planes\": [{\"axis\": \"x\"}]}",
-        "\"window\": {\"width\": 220, \"height\": 200}, \"annotate\": [\"box\", \"holes\"], \"title\": \"part\", "
-        "\"dimensions\": [{\"from\": [0, 0, 0], \"to\": [3, 0, 0]}]",
+        ("\"window\": {\"width\": 220, \"height\": 200}, \"annotate\": [\"box\", \"holes\"], \"title\": \"part\", "
+         "\"dimensions\": [{\"from\": [0, 0, 0], \"to\": [3, 0, 0]}]"),
         "\"picks\": [[40, 30], [1, 2]]"};
     enum { COUNT = sizeof items / sizeof *items };
     static const char outputs[] = "\"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}, "
