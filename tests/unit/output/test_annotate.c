@@ -331,8 +331,8 @@ TEST(oblique_dimensions_are_drawn_in_flat_views)
     static const int windows[][2] = {{480, 360}, {640, 480}, {1600, 1200}};
     static const char *const dimensions[] = {"{\"from\": [-15, 2.5, -10], \"to\": [15, 2.5, 10]}",
                                              "{\"from\": [-15, 2.5, 10], \"to\": [0, 2.5, -10]}",
-                                             "{\"from\": [-15, 2.5, -10], \"to\": [15, 2.5, 10]}, "
-                                             "{\"from\": [-15, 2.5, 10], \"to\": [15, 2.5, -10]}"};
+                                             ("{\"from\": [-15, 2.5, -10], \"to\": [15, 2.5, 10]}, "
+                                              "{\"from\": [-15, 2.5, 10], \"to\": [15, 2.5, -10]}")};
     for (size_t s = 0; s < sizeof windows / sizeof *windows; s++)
         for (size_t d = 0; d < sizeof dimensions / sizeof *dimensions; d++) {
             struct reading *reading = read_flat(windows[s], dimensions[d]);
