@@ -274,7 +274,7 @@ TEST_AROUND(differences_are_drawn_in_their_colors, open_renderer, close_renderer
     zraster_scene *a = read(obj(one, zero, (const double[3]){1, 1, 2}, 12), "obj"),
                   *b = read(obj(two, zero, (const double[3]){2, 1, 1}, 12), "obj");
     for (size_t i = 0; i < 3; i++) {
-        const struct zraster_request change = {.struct_size = sizeof change, .query = "width=200&height=150"};
+        const struct zraster_request change = {.struct_size = sizeof change, .query = "width=320&height=240"};
         zraster_comparison *comparison;
         zraster_picture *picture;
         uint32_t red, amber, grey;
