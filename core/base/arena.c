@@ -200,7 +200,8 @@ static void make_room(struct zr_arena *arena, size_t more)
 static struct zr_arena_block *add_block(struct zr_arena *arena, size_t bytes)
 {
     const size_t size = block_size(bytes, arena->unit ? arena->unit : ZR_ARENA_BLOCK);
-    struct zr_arena_block *block = take_spare(keeper_of(arena), size);
+    struct zr_arena_block *block = take_spare(arena, size); /* a scratch arena that was reset has some of its own */
+    if (!block && arena->lender) block = take_spare(keeper_of(arena), size);
     if (!block && !arena->is_within) {
         make_room(arena, size);
         block = block_make(size);

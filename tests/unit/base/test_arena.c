@@ -63,6 +63,9 @@ TEST(scratch_arenas_take_small_blocks_of_earlier_ones)
     assert_non_null(zr_arena_alloc(&inner, LARGE, 1));
     zr_arena_close_scratch(&inner, &outer);
     assert_in_range(arena.spare_bytes, SMALL, 2 * SMALL); /* large blocks go back to the system */
+    first = zr_arena_alloc(&outer, LARGE, 1);
+    zr_arena_reset(&outer, SIZE_MAX);
+    assert_ptr_equal(zr_arena_alloc(&outer, LARGE, 1), first);
     zr_arena_close_scratch(&outer, &arena);
     assert_int_equal(arena.held, 0);
     zr_arena_free(&arena);
