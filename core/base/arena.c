@@ -18,9 +18,6 @@
  * although the block continues. */
 enum { HEADER = ZR_ARENA_ALIGN, GAP = ZR_ASAN ? ZR_ARENA_ALIGN : 0, PAGE = 4096 };
 
-/* The largest block of a scratch arena that is kept for later ones, and the most bytes of spare blocks beside it. */
-enum { LENT_BLOCK = 16 << 20, LENT_BYTES = 32 << 20 };
-
 struct zr_arena_block {
     struct zr_arena_block *next;
     size_t size;           /* including the header */
@@ -181,18 +178,10 @@ static void use(struct zr_arena *arena, size_t bytes)
     if (arena->held > arena->most) arena->most = arena->held;
 }
 
-/* Returns the arena that keeps the spare blocks: the request's own, for scratch arenas too. */
-static struct zr_arena *keeper_of(struct zr_arena *arena)
-{
-    while (arena->lender)
-        arena = arena->lender;
-    return arena;
-}
-
 /* Spare blocks do not count as held; frees them if `more` bytes would not fit beside them. */
 static void make_room(struct zr_arena *arena, size_t more)
 {
-    struct zr_arena *keeper = keeper_of(arena);
+    struct zr_arena *keeper = arena->lender ? arena->lender : arena;
     if (keeper->spares && more + keeper->spare_bytes > zr_arena_left(arena)) free_spares(keeper);
 }
 
@@ -200,8 +189,7 @@ static void make_room(struct zr_arena *arena, size_t more)
 static struct zr_arena_block *add_block(struct zr_arena *arena, size_t bytes)
 {
     const size_t size = block_size(bytes, arena->unit ? arena->unit : ZR_ARENA_BLOCK);
-    struct zr_arena_block *block = take_spare(arena, size); /* a scratch arena that was reset has some of its own */
-    if (!block && arena->lender) block = take_spare(keeper_of(arena), size);
+    struct zr_arena_block *block = take_spare(arena, size);
     if (!block && !arena->is_within) {
         make_room(arena, size);
         block = block_make(size);
@@ -340,27 +328,12 @@ void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, ui
     return result;
 }
 
-/* Moves small blocks of a scratch arena to the spares of its keeper: the next scratch arena need not clear pages anew. */
-static void give_spares(struct zr_arena *keeper, struct zr_arena *scratch)
-{
-    for (struct zr_arena_block **link = &scratch->first; !keeper->is_within && *link;) {
-        struct zr_arena_block *block = *link;
-        if (block->size > LENT_BLOCK || keeper->spare_bytes + block->size > LENT_BYTES) {
-            link = &block->next;
-            continue;
-        }
-        *link = block->next;
-        make_spare(keeper, block);
-    }
-}
-
 void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena)
 {
     const size_t most = arena->ceiling - scratch->ceiling + scratch->most; /* held beside it at most, and its own */
     if (arena->used + scratch->peak > arena->peak) arena->peak = arena->used + scratch->peak;
     if (most > arena->most) arena->most = most;
     if (scratch->failed) fail(arena, scratch->wanted);
-    give_spares(keeper_of(arena), scratch);
     zr_arena_free(scratch);
 }
 

@@ -61,7 +61,8 @@ size_t zr_arena_block_bytes(size_t bytes);
 void zr_arena_reset(struct zr_arena *arena, size_t keep);
 
 /* Return `count` objects of `size` bytes, aligned to ZR_ARENA_ALIGN, undefined or zero. Return NULL once the arena has
- * failed, or if count * size overflows size_t, which has 32 bits in WebAssembly. A count of 0 gives a pointer that must not be read. */
+ * failed, or if count * size overflows size_t, which has 32 bits in WebAssembly. A count of 0 gives a pointer that must
+ * not be read. */
 void *zr_arena_alloc(struct zr_arena *arena, uint64_t count, size_t size);
 
 /* The same, zeroed. The first access to large memory takes long: the arena fails once its `cancel` is raised. */
@@ -87,8 +88,8 @@ bool zr_arena_charge(struct zr_arena *arena, size_t bytes);
 void zr_arena_refund(struct zr_arena *arena, size_t bytes);
 
 /* A scratch arena holds temporary data of one step, such as a library's, up to zr_arena_left of `arena`. While it is
- * open, `arena` may only be used by zr_arena_alloc_beside, which counts both. It takes spare blocks of `arena`. Closing
- * makes its small blocks spares of `arena`, frees the others, and adds its peak and failure to `arena`. */
+ * open, `arena` may only be used by zr_arena_alloc_beside, which counts both. Closing frees the scratch memory, and
+ * adds its peak and failure to `arena`. */
 struct zr_arena zr_arena_open_scratch(struct zr_arena *arena);
 void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, uint64_t count, size_t size);
 void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena);

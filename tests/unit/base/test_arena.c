@@ -47,30 +47,6 @@ TEST(scratch_arena_shares_the_ceiling_and_gives_its_memory_back)
     zr_arena_free(&arena);
 }
 
-TEST(scratch_arenas_take_small_blocks_of_earlier_ones)
-{
-    enum { SMALL = 3 << 20, LARGE = 40 << 20 };
-    struct zr_arena arena;
-    zr_arena_init(&arena, (size_t)64 << 20);
-    struct zr_arena outer = zr_arena_open_scratch(&arena), inner = zr_arena_open_scratch(&outer);
-    void *first = zr_arena_alloc(&inner, SMALL, 1);
-    assert_non_null(first);
-    zr_arena_close_scratch(&inner, &outer);
-    assert_in_range(arena.spare_bytes, SMALL, 2 * SMALL);
-    inner = zr_arena_open_scratch(&outer);
-    assert_ptr_equal(zr_arena_alloc(&inner, SMALL, 1), first);
-    assert_int_equal(arena.spare_bytes, 0);
-    assert_non_null(zr_arena_alloc(&inner, LARGE, 1));
-    zr_arena_close_scratch(&inner, &outer);
-    assert_in_range(arena.spare_bytes, SMALL, 2 * SMALL); /* large blocks go back to the system */
-    first = zr_arena_alloc(&outer, LARGE, 1);
-    zr_arena_reset(&outer, SIZE_MAX);
-    assert_ptr_equal(zr_arena_alloc(&outer, LARGE, 1), first);
-    zr_arena_close_scratch(&outer, &arena);
-    assert_int_equal(arena.held, 0);
-    zr_arena_free(&arena);
-}
-
 TEST(memory_beside_a_scratch_arena_leaves_it_what_it_has)
 {
     struct zr_arena arena;
