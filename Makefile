@@ -6,7 +6,7 @@ OBJCOPY ?= objcopy
 # -g1: call stacks have names and lines; all of -g takes a tenth longer.
 CFLAGS ?= -O3 -g1
 OURS := -std=c11 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wstrict-prototypes \
-	-Wmissing-prototypes -Werror=implicit-function-declaration -Wvla -D_GNU_SOURCE -Icore -Iserver -Iclients -Itests $(if $(WASM),-Imake/wasm/include,-pthread)
+	-Wmissing-prototypes -Werror=implicit-function-declaration -Wvla -D_GNU_SOURCE -Icore -Iserver -Iclients -Itests $(if $(WASM),-Iclients/web/module/include,-pthread)
 # A frame larger than a page touches each of its pages, so that none passes the guard page of a thread's stack.
 probes := -fstack-clash-protection
 OURS += $(shell $(CC) $(probes) -Werror -fsyntax-only -x c /dev/null 2>/dev/null && echo $(probes))
@@ -634,7 +634,7 @@ clean: ## removes build/
 
 .PHONY: help
 help: ## this list
-	@sed -n 's/^\([a-z][a-z-]*\):.*## /\1\t/p' Makefile make/*.mk | expand -t 14
+	@sed -n 's/^\([a-z][a-z-]*\):.*## /\1\t/p' Makefile clients/web/module/module.mk | expand -t 14
 
 # ---- programs ----
 
@@ -848,7 +848,7 @@ $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 $(BUILD)/tests/server/test_streams: $(BUILD)/server/mcp/unzip.o
 
-include make/wasm.mk
+include clients/web/module/module.mk
 
 # Without a compiler, one message says so and names the package.
 missing_compiler := $(if $(macros),,compiler)

@@ -14,6 +14,12 @@ cat >"$work/known" <<'END'
 END
 : >"$work/none"
 
+# The top level: four folders, and the files that a reader looks for there. `build` is made.
+strange() { ls "$1" | grep -vxE 'build|clients|core|server|tests|CHANGELOG\.md|Dockerfile|LICENSE|Makefile|README\.md' >"$said"; }
+verdict "the top level has nothing else" eval '! strange .'
+mkdir -p "$work/top/core" "$work/top/make"
+verdict "where another folder would be found" eval 'strange "$work/top" && grep -qx make "$said"'
+
 floors() { # FOLDER KNOWN: of core/, server/ and clients/ in this folder
     (cd "$1" && find core server clients -name '*.[ch]' ! -path 'clients/reference/*' ! -path 'clients/examples/*' | sort | xargs awk -v known="$2" -f "$script") >"$said" 2>"$complained"
     status=$?

@@ -17,13 +17,13 @@ wasm_isa_scalar := scalar
 .PHONY: wasm
 wasm: ## zraster as WebAssembly: build/wasm/zraster.wasm, zraster-scalar.wasm, and the licences of their parts
 	@.ci/need $(NEED_WASM)
-	@make/wasm/sources.sh $(wasm)/sources
+	@clients/web/module/sources.sh $(wasm)/sources
 	@$(call wasm_make,simd) $(wasm)/simd/zraster.wasm
 	@$(call wasm_make,scalar) $(wasm)/scalar/zraster.wasm
 	@cp $(wasm)/simd/zraster.wasm $(wasm)/zraster.wasm
 	@cp $(wasm)/scalar/zraster.wasm $(wasm)/zraster-scalar.wasm
-	@make/wasm/licences.sh $(wasm)/sources >$(wasm)/LICENCES.txt
-	@make/wasm/package.sh $(wasm) $(BUILD)/npm/zraster
+	@clients/web/module/licences.sh $(wasm)/sources >$(wasm)/LICENCES.txt
+	@clients/web/module/package.sh $(wasm) $(BUILD)/npm/zraster
 
 .PHONY: wasm-test
 wasm-test: ## the modules in Node: pixels of all scenes and of models as by the command, errors, memory, size
@@ -66,7 +66,7 @@ $(BUILD)/codecs/isal/%.o: codec_includes += -I$(sources)/isal/include -I$(source
 $(BUILD)/codecs/png/%.o: codec_includes += $(jumps)
 $(BUILD)/codecs/%.o: $(sources)/%.c | $(missing_compiler)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $(EXACT) -ffunction-sections -fdata-sections -fvisibility=hidden -DNDEBUG -DHAVE_UNISTD_H -w -Imake/wasm/include $(codec_includes) -c -o $@ $<
+	$(Q)$(CC) $(CFLAGS) $(EXACT) -ffunction-sections -fdata-sections -fvisibility=hidden -DNDEBUG -DHAVE_UNISTD_H -w -Iclients/web/module/include $(codec_includes) -c -o $@ $<
 
 # A module is fetched, so it is small: kernels and what compresses are fast, what is not run for each pixel is smaller still.
 small_rooms := api cost input lines measure mesh output overlay request scene schema sections views
@@ -79,15 +79,15 @@ $(BUILD)/codecs/isal/%.o $(BUILD)/codecs/zlib/%.o: codec_includes += -O2
 # What errors of libpng and libjpeg jump out of. No machine has files that tell of its spare memory.
 jumping := $(patsubst %.c,$(BUILD)/%.o,$(shell grep -l '<setjmp.h>' core/*/*/*.c))
 $(jumping): OURS += $(jumps)
-wasm_core := $(filter-out $(BUILD)/core/api/spare_memory.o $(BUILD)/core/api/control_group.o,$(core)) $(BUILD)/make/wasm/runtime.o
-$(BUILD)/make/wasm/runtime.o: OURS += -mexception-handling
+wasm_core := $(filter-out $(BUILD)/core/api/spare_memory.o $(BUILD)/core/api/control_group.o,$(core)) $(BUILD)/clients/web/module/runtime.o
+$(BUILD)/clients/web/module/runtime.o: OURS += -mexception-handling
 
 paren := (
 wasm_exports := malloc free $(shell sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)$(paren).*/\1/p' core/api/zraster.h)
 # The stack comes first, so that one that overflows traps. The memory is its caller's, with a maximum.
 WASM_LINK := -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,-z,stack-size=4194304 -Wl,--stack-first -Wl,--import-memory -Wl,--initial-memory=8388608 \
 	-Wl,--max-memory=4294967296
-$(BUILD)/zraster.wasm: $(wasm_core) $(codecs) make/wasm.mk
+$(BUILD)/zraster.wasm: $(wasm_core) $(codecs) clients/web/module/module.mk
 	$(Q)$(CC) $(CFLAGS) $(WASM_LINK) $(addprefix -Wl$(comma)--export=,$(wasm_exports)) -o $@ $(filter %.o,$^) -lm -lwasi-emulated-getpid
 
 $(BUILD)/zraster-cross: LDFLAGS += -Wl,-z,stack-size=4194304 -Wl,--stack-first
