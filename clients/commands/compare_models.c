@@ -29,20 +29,10 @@ static int read_model(const struct engine *engine, const struct options *options
     int status = 0;
     if (!input_read(&input, path, options, &faults) || !neighbours_read(&input, options->own[OPTION_ROOT], &faults))
         status = interrupted() ? STATUS_INTERRUPTED : input.is_usage ? STATUS_USAGE : STATUS_FAILED;
-    else {
-        struct zraster_part parts[INPUT_PARTS_MAX];
-        const struct zraster_request request = {.struct_size = sizeof request,
-                                                .body = input.body.data,
-                                                .body_size = input.body.size,
-                                                .type = input.is_known ? input.type : NULL,
-                                                .parts = parts,
-                                                .part_count = input_parts(&input, parts),
-                                                .cancel = engine->cancel};
-        if (zraster_scene_read(engine->renderer, &request, scene, &error) != ZRASTER_OK) {
-            bytes_print(&faults, "%s", zraster_error_text(error));
-            wording_translate(&faults, &input, options);
-            status = interrupted() ? STATUS_INTERRUPTED : STATUS_FAILED;
-        }
+    else if (engine_read_here(engine, &input, NULL, scene, &error) != ZRASTER_OK) {
+        bytes_print(&faults, "%s", zraster_error_text(error));
+        wording_translate(&faults, &input, options);
+        status = interrupted() ? STATUS_INTERRUPTED : STATUS_FAILED;
     }
     if (status != 0 && status != STATUS_INTERRUPTED) report_faults(stderr, path, &faults);
     input_free(&input);

@@ -33,21 +33,6 @@ static void take_query(struct options *options, const struct target *target, str
     if (out && ends_with(out, ".png")) query_add(query, "format", "png");
 }
 
-static zraster_status read_scene(const struct engine *engine, const struct input *input, const char *query,
-                                 zraster_scene **scene, zraster_error **error)
-{
-    struct zraster_part parts[INPUT_PARTS_MAX];
-    const struct zraster_request request = {.struct_size = sizeof request,
-                                            .body = input->body.data,
-                                            .body_size = input->body.size,
-                                            .type = input->is_known ? input->type : NULL,
-                                            .query = query,
-                                            .parts = parts,
-                                            .part_count = input_parts(input, parts),
-                                            .cancel = engine->cancel};
-    return zraster_scene_read(engine->renderer, &request, scene, error);
-}
-
 static void list_warnings(const struct options *options, const zraster_drawing *drawing)
 {
     struct bytes warnings = {.data = NULL};
@@ -70,7 +55,7 @@ static int draw(const struct engine *engine, const struct options *options, cons
     zraster_error *error = NULL;
     int status = STATUS_FAILED;
     char *scene_query = query_make(options, input->path, input->is_scene);
-    zraster_status result = read_scene(engine, input, scene_query, &scene, &error);
+    zraster_status result = engine_read_here(engine, input, scene_query, &scene, &error);
     if (result == ZRASTER_OK) result = zraster_drawing_make(scene, query, engine->cancel, &drawing, &error);
     if (result == ZRASTER_OK) {
         list_warnings(options, drawing);

@@ -24,16 +24,8 @@ void mcp_told_faults(const zraster_error *error, struct mcp_faults *faults)
 static zraster_status read_input(const struct engine *engine, const struct input *input, zraster_scene **scene,
                                  struct mcp_faults *faults)
 {
-    struct zraster_part parts[INPUT_PARTS_MAX];
     zraster_error *error = NULL;
-    const struct zraster_request request = {.struct_size = sizeof request,
-                                            .body = input->body.data,
-                                            .body_size = input->body.size,
-                                            .type = input->type,
-                                            .parts = parts,
-                                            .part_count = input_parts(input, parts),
-                                            .cancel = engine->cancel};
-    const zraster_status status = zraster_scene_read(engine->renderer, &request, scene, &error);
+    const zraster_status status = engine_read_here(engine, input, NULL, scene, &error);
     if (status != ZRASTER_OK) mcp_told_faults(error, faults);
     zraster_error_free(error);
     return status;
@@ -78,19 +70,12 @@ static void free_owned(struct owned *owned)
     free(owned);
 }
 
-static enum mcp_draw_status compare_read(const struct engine *engine, zraster_scene *const scenes[2], const char *query,
-                                         struct mcp_told *told)
+/* Ends a call whose result is `owned`: gives that to *told, or its faults. Frees the error. */
+static enum mcp_draw_status hand_over(zraster_status status, struct owned *owned, const char *json,
+                                      struct zraster_bytes picture, zraster_error *error, struct mcp_told *told)
 {
-    struct owned *owned = calloc(1, sizeof *owned);
-    struct zraster_bytes picture = {.data = NULL};
-    zraster_error *error = NULL;
-    if (!owned) {
-        mcp_fault(&told->faults, "", "out of memory");
-        return MCP_REFUSED;
-    }
-    const zraster_status status = compare_scenes(engine, scenes, query, owned, &picture, &error);
     if (status == ZRASTER_OK) {
-        told->json = zraster_comparison_json(owned->comparison);
+        told->json = json;
         told->picture = picture.data;
         told->picture_size = picture.size;
         told->owner = owned;
@@ -100,6 +85,26 @@ static enum mcp_draw_status compare_read(const struct engine *engine, zraster_sc
     }
     zraster_error_free(error);
     return status == ZRASTER_OK ? MCP_DRAWN : status == ZRASTER_CANCELLED ? MCP_CANCELLED : MCP_REFUSED;
+}
+
+/* Returns NULL, with a fault, without memory. */
+static struct owned *make_owned(struct mcp_told *told)
+{
+    struct owned *owned = calloc(1, sizeof *owned);
+    if (!owned) mcp_fault(&told->faults, "", "out of memory");
+    return owned;
+}
+
+static enum mcp_draw_status compare_read(const struct engine *engine, zraster_scene *const scenes[2], const char *query,
+                                         struct mcp_told *told)
+{
+    struct owned *owned = make_owned(told);
+    struct zraster_bytes picture = {.data = NULL};
+    zraster_error *error = NULL;
+    if (!owned) return MCP_REFUSED;
+    const zraster_status status = compare_scenes(engine, scenes, query, owned, &picture, &error);
+    const char *json = status == ZRASTER_OK ? zraster_comparison_json(owned->comparison) : NULL;
+    return hand_over(status, owned, json, picture, error, told);
 }
 
 enum mcp_draw_status mcp_told_compare(const struct engine *engine, const char *root, const struct mcp_compare *compare,
@@ -118,22 +123,14 @@ enum mcp_draw_status mcp_told_compare(const struct engine *engine, const char *r
 static enum mcp_draw_status draw_read(const struct engine *engine, const zraster_scene *scene, const char *query,
                                       struct mcp_told *told)
 {
-    struct owned *owned = calloc(1, sizeof *owned);
+    struct owned *owned = make_owned(told);
+    struct zraster_bytes file = {.data = NULL};
     zraster_error *error = NULL;
-    if (!owned) return mcp_fault(&told->faults, "", "out of memory"), MCP_REFUSED;
+    if (!owned) return MCP_REFUSED;
     const zraster_status status = zraster_drawing_make(scene, query, engine->cancel, &owned->drawing, &error);
-    if (status == ZRASTER_OK) {
-        const struct zraster_bytes file = zraster_drawing_file(owned->drawing);
-        told->json = zraster_drawing_json(owned->drawing);
-        told->picture = file.data;
-        told->picture_size = file.size;
-        told->owner = owned;
-    } else {
-        mcp_told_faults(error, &told->faults);
-        free_owned(owned);
-    }
-    zraster_error_free(error);
-    return status == ZRASTER_OK ? MCP_DRAWN : status == ZRASTER_CANCELLED ? MCP_CANCELLED : MCP_REFUSED;
+    if (status == ZRASTER_OK) file = zraster_drawing_file(owned->drawing);
+    const char *json = status == ZRASTER_OK ? zraster_drawing_json(owned->drawing) : NULL;
+    return hand_over(status, owned, json, file, error, told);
 }
 
 enum mcp_draw_status mcp_told_drawing(const struct engine *engine, const char *root, const struct mcp_draw *draw,

@@ -64,20 +64,35 @@ static void take_picture(struct answer *answer)
     snprintf(answer->look, sizeof answer->look, "%s", zraster_picture_look(answer->picture));
 }
 
+/* Returns a request whose parts are in `parts`. */
+static struct zraster_request request_of(const struct engine *engine, const struct input *input, const char *query,
+                                         struct zraster_part parts[INPUT_PARTS_MAX])
+{
+    return (struct zraster_request){.struct_size = sizeof(struct zraster_request),
+                                    .body = input->body.data,
+                                    .body_size = input->body.size,
+                                    .type = input->is_known ? input->type : NULL,
+                                    .query = query,
+                                    .parts = parts,
+                                    .part_count = input_parts(input, parts),
+                                    .cancel = engine->cancel};
+}
+
+zraster_status engine_read_here(const struct engine *engine, const struct input *input, const char *query,
+                                zraster_scene **scene, zraster_error **error)
+{
+    struct zraster_part parts[INPUT_PARTS_MAX];
+    const struct zraster_request request = request_of(engine, input, query, parts);
+    return zraster_scene_read(engine->renderer, &request, scene, error);
+}
+
 zraster_status engine_draw_here(const struct engine *engine, const struct input *input, const char *query,
                                 zraster_picture **picture, struct zraster_bytes *file, zraster_error **error)
 {
     struct zraster_part parts[INPUT_PARTS_MAX];
-    const struct zraster_request request = {.struct_size = sizeof request,
-                                            .body = input->body.data,
-                                            .body_size = input->body.size,
-                                            .type = input->is_known ? input->type : NULL,
-                                            .query = query,
-                                            .parts = parts,
-                                            .part_count = input_parts(input, parts),
-                                            .cancel = engine->cancel,
-                                            .progress = engine->progress,
-                                            .progress_context = engine->progress_context};
+    struct zraster_request request = request_of(engine, input, query, parts);
+    request.progress = engine->progress;
+    request.progress_context = engine->progress_context;
     const zraster_status status = zraster_draw(engine->renderer, &request, picture, error);
     return status == ZRASTER_OK ? zraster_picture_encode(*picture, NULL, file, error) : status;
 }

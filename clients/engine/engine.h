@@ -26,6 +26,11 @@ int engine_open(struct engine *engine, const struct options *options, unsigned t
 size_t engine_memory(const struct options *options, size_t at_once);
 void engine_close(struct engine *engine);
 
+/* Reads a scene in this process. The caller frees scene and error in every case; they start as NULL. Thread-safe.
+ * `query` may be NULL. */
+zraster_status engine_read_here(const struct engine *engine, const struct input *input, const char *query,
+                                zraster_scene **scene, zraster_error **error);
+
 /* Draws in this process. The picture owns the bytes of `file`. The caller frees picture and error in every case; they
  * start as NULL. Thread-safe. `query` may be NULL. */
 zraster_status engine_draw_here(const struct engine *engine, const struct input *input, const char *query,

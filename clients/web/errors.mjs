@@ -1,4 +1,4 @@
-/* errors.mjs - what the renderer refuses. */
+/* errors.mjs - refusals of the renderer. */
 export class ZrasterError extends Error {
   /** status: a word such as 'bad-scene'; faults: { pointer, detail } each. */
   constructor(status, message, faults = []) {

@@ -34,7 +34,7 @@ export class Zraster {
     this.#options = options;
   }
 
-  /** Counts the Workers: what belongs to an earlier one is gone. */
+  /** Counts the Workers: objects of an earlier one are gone. */
   get run() { return this.#run; }
 
   async #open() {

@@ -10,7 +10,7 @@ let last = 0, z;
 
 const given = value => (value?.object ? objects.get(value.object) : value);
 
-/* What the other side gets of a result, and the buffers that move there. */
+/* Returns the part of a result that the page gets, and the buffers that move there. */
 function told(result) {
   if (result instanceof Picture || result instanceof Scene) {
     const id = ++last;

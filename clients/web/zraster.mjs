@@ -66,7 +66,7 @@ export async function load(source, { memoryMax = 2 ** 30 } = {}) {
 
 export class Zraster {
   #module; #memoryMax; #memory; #exports; #renderer = 0; #tables; #ended = 'it is not open';
-  /* Rises with each opening: what belongs to an earlier one is gone. */
+  /* Rises with each opening: objects of an earlier one are gone. */
   #opening = 0;
 
   constructor(module, memoryMax) {
@@ -159,7 +159,7 @@ export class Zraster {
 
   get opening() { return this.#opening; }
 
-  /** Calls a function of the module. What throws there was no error but a fault: nothing is known about its memory any more. */
+  /** Calls a function of the module. An exception there is a trap: the module's memory is undefined then, so it ends. */
   call(name, ...numbers) {
     if (this.#ended) throw new ZrasterError('ended', `zraster cannot be used: ${this.#ended}; reopen() opens it again`);
     try {
@@ -194,7 +194,7 @@ export class Zraster {
     all.fill(0, at + bytes.length, at + bytes.length + zeros);
     return at;
   }
-  /** Frees what f holds. */
+  /** Frees the object of f. */
   within(f) {
     const held = [];
     try {
@@ -204,7 +204,7 @@ export class Zraster {
     }
   }
 
-  /** Calls a function with (object, request, out, error), and returns what it made. */
+  /** Calls a function with (object, request, out, error), and returns the object that it made. */
   request(body, { type, query, parts, signal } = {}, name, object) {
     if (signal?.aborted) throw new ZrasterError('cancelled', 'the signal was aborted');
     return this.within(hold => {

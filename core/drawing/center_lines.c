@@ -29,19 +29,19 @@ static struct line line_between(struct zr_point a, struct zr_point b, bool has_m
     if (fabs(a.y - b.y) <= same)
         return (struct line){.kind = LEVEL,
                              .at = 0.5 * (a.y + b.y),
-                             .low = a.x < b.x ? a.x : b.x,
-                             .high = a.x < b.x ? b.x : a.x,
+                             .low = zr_least_of(a.x, b.x),
+                             .high = zr_most_of(a.x, b.x),
                              .has_middle = has_middle};
     if (fabs(a.x - b.x) <= same)
         return (struct line){.kind = UPRIGHT,
                              .at = 0.5 * (a.x + b.x),
-                             .low = a.y < b.y ? a.y : b.y,
-                             .high = a.y < b.y ? b.y : a.y,
+                             .low = zr_least_of(a.y, b.y),
+                             .high = zr_most_of(a.y, b.y),
                              .has_middle = has_middle};
     return (struct line){.kind = OTHER, .from = a, .to = b, .has_middle = has_middle};
 }
 
-/* True if a view leaves out what is hidden, and the hole is: it is seen from the side, and no plane cuts it. */
+/* True if the hole is hidden in a view without hidden lines: it is seen from the side, and no plane cuts it. */
 static bool is_hidden(const struct zr_placed_views *placed, enum zr_page_view view, const struct zr_part_hole *hole)
 {
     const double from = zr_dvec3_dot(placed->views[view].axes.back, hole->ends[0]) - placed->cut_place;

@@ -2,7 +2,7 @@
  *
  * Space:  world space, in double precision.
  * How:    the triangles of each part in a tree of boxes (measure/surface_tree.h). Pairs of boxes are visited, those
- *         that are close first, and left out if they are farther apart than what was found.
+ *         that are close first, and left out if they are farther apart than the least distance so far.
  * Cross:  parts cross if an edge of one leads through a triangle of the other one. Then the distance is 0, and the
  *         places are one on both. A part that lies wholly within a closed other one crosses it, too. Parts that only
  *         touch have the distance 0, and do not cross.

@@ -293,7 +293,7 @@ static double square_of_box(const struct zr_surface_box *box, const double at[3]
     return sum;
 }
 
-/* True if the plane of a face is not nearer than what is found. `slack`: more than the rounding errors. */
+/* True if the plane of a face is at least as far as the nearest place so far. `slack`: more than the rounding errors. */
 static bool is_plane_far(const struct zr_surface_face *face, struct zr_world_place from, double slack, double square)
 {
     const double gap = fabs(zr_world_place_dot(face->normal, from) - face->offset) - slack;

@@ -78,8 +78,8 @@ static bool is_around(const struct grouping *g, uint32_t ring, uint32_t other, d
     return inside >= 2;
 }
 
-/* Returns true if an earlier hole of the ring's group has taken away what a hole would: one of them contains the
- * other, or they coincide. */
+/* Returns true if a hole contains an earlier hole of the ring's group, lies in one, or coincides with one: its area is
+ * taken away already. */
 static bool is_taken(const struct grouping *g, const uint32_t *groups, uint32_t ring, uint32_t hole)
 {
     const double inwards = 1e-3, turn = area_of(g, hole);

@@ -66,7 +66,7 @@ static int turn_of(const struct zr_pixel_fragment *fragment)
     return fragment->front_facing == 1 ? 1 : -1;
 }
 
-/* Windings end with 0, so those at the eye are what the fragments lack (render/layers/solid_walk.h). */
+/* Windings end with 0, so those at the eye are the fragments' sum with the other sign (render/layers/solid_walk.h). */
 static void begin_walk(const struct zr_csg *csg, const struct zr_pixel_fragments *list, struct walk *walk)
 {
     *walk = (struct walk){.csg = csg};

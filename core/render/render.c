@@ -147,7 +147,7 @@ static enum zr_status draw_nothing(const struct zr_run *run, const struct zr_sce
     return zr_render_sections(run, scene, resolved, frame, &drawn);
 }
 
-/* Draws what lies over the finished picture. `scene`: the drawn one, which may be cut open. */
+/* Draws colour bar and marks over the finished picture. `scene`: the drawn one, which may be cut open. */
 static enum zr_status draw_overlay(const struct zr_run *run, const struct zr_scene *whole, const struct zr_scene *scene,
                                    struct zr_frame *frame)
 {

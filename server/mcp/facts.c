@@ -81,7 +81,7 @@ static void add_unsearched(cJSON *content, const cJSON *parts)
     cJSON_AddStringToObject(made, "reason", reason->valuestring);
 }
 
-/* Replaces the sums over the operands by what is known of the solid. */
+/* Replaces the sums over the operands by the values of the solid. */
 static void add_combined(cJSON *content, const cJSON *info)
 {
     static const char *const unknown[] = {"area", "shells"};

@@ -1,4 +1,4 @@
-/* features.h - mcp: what is found on a part, in words: holes, bosses, symmetry, least wall, open loops. */
+/* features.h - mcp: the features of a part in words: holes, bosses, symmetry, least wall, open loops. */
 #ifndef MCP_FEATURES_H
 #define MCP_FEATURES_H
 

@@ -25,7 +25,7 @@ policy_hash() { # FILE
         }'
 }
 
-# The text between the tags is what a policy hashes, line ends included. Enums of the rows are no JavaScript.
+# A policy has the hash of the text between the tags, line ends included. The rows' enums of C are left out.
 { echo "'use strict';" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d' && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt); } >"$work/script"
 sed 's/^ *//' $page/colors.css $page/page.css >"$work/style"
 awk -v script="$work/script" -v style="$work/style" '

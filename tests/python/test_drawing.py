@@ -1,4 +1,4 @@
-"""Technical drawings: what is measured back from the files, places of texts, scales, sections, refusals."""
+"""Technical drawings: lengths measured in the files, places of texts, scales, sections, refusals."""
 import math
 import os
 import re

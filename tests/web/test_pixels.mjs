@@ -11,7 +11,7 @@ const z = await load(readFileSync(module));
 const models = join(process.env.ZRASTER_DATA ?? '../shared/data', 'models');
 const CHANNELS = 'color,depth,windowDepth,faceId,distance,instanceId,frontFacing,barycentrics,position,normals,texcoord';
 
-/* The command's answer, or what it says. */
+/* The command's answer, or its message. */
 function native(file, options) {
   const words = [file, '-j', '1', '-o', '-', ...Object.entries(options).flatMap(([name, value]) => [`--${name}`, value])];
   const { status, stdout, stderr } = spawnSync(join(build, 'zraster'), words, { maxBuffer: 2 ** 28 });

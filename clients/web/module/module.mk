@@ -50,7 +50,7 @@ codec_includes := -I$(sources)/include -I$(sources)/png -I$(sources)/zlib -I$(so
 CPPFLAGS += $(codec_includes) -D_WASI_EMULATED_GETPID
 jumps := -mllvm -wasm-enable-sjlj -mexception-handling
 
-# Of each codec, what makes its library. zlib is libpng's own; core/ uses libisal.
+# The sources of each codec's library. zlib is for libpng alone; core/ uses libisal.
 codec_sources := $(addprefix $(sources)/zlib/,$(addsuffix .c,adler32 compress crc32 deflate inffast inflate inftrees trees uncompr zutil)) \
 	$(addprefix $(sources)/png/,$(addsuffix .c,png pngerror pngget pngmem pngpread pngread pngrio pngrtran pngrutil pngset pngtrans pngwio pngwrite pngwtran pngwutil)) \
 	$(addprefix $(sources)/isal/igzip/,$(addsuffix .c,igzip hufftables_c igzip_base igzip_icf_base adler32_base flatten_ll encode_df igzip_icf_body \
@@ -68,7 +68,7 @@ $(BUILD)/codecs/%.o: $(sources)/%.c | $(missing_compiler)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(EXACT) -ffunction-sections -fdata-sections -fvisibility=hidden -DNDEBUG -DHAVE_UNISTD_H -w -Iclients/web/module/include $(codec_includes) -c -o $@ $<
 
-# A module is fetched, so it is small: kernels and what compresses are fast, what is not run for each pixel is smaller still.
+# A module is downloaded, so its size counts: kernels and compression are compiled for speed, code outside the loops over pixels for size.
 small_rooms := api cost input lines measure mesh output overlay request scene schema sections views
 small := $(filter-out %_kernel.$(isas).o,$(filter $(foreach room,$(small_rooms),$(BUILD)/core/$(room)/%),$(core)))
 $(small): CPPFLAGS += -Oz
@@ -76,7 +76,7 @@ $(BUILD)/codecs/png/%.o $(BUILD)/codecs/jpeg/%.o $(BUILD)/codecs/webp/%.o: codec
 $(BUILD)/codecs/jpeg/%.o: codec_includes += -DUSE_CLZ_INTRINSIC
 $(BUILD)/codecs/isal/%.o $(BUILD)/codecs/zlib/%.o: codec_includes += -O2
 
-# What errors of libpng and libjpeg jump out of. No machine has files that tell of its spare memory.
+# Files with setjmp, for errors of libpng and libjpeg. The files about spare memory are left out: the module cannot ask its host.
 jumping := $(patsubst %.c,$(BUILD)/%.o,$(shell grep -l '<setjmp.h>' core/*/*/*.c))
 $(jumping): OURS += $(jumps)
 wasm_core := $(filter-out $(BUILD)/core/api/spare_memory.o $(BUILD)/core/api/control_group.o,$(core)) $(BUILD)/clients/web/module/runtime.o

@@ -1,4 +1,4 @@
-/* runtime.c of WebAssembly: what clang's setjmp calls (LLVM 19), and the library's question about the machine. */
+/* runtime.c of WebAssembly: the functions that clang's setjmp calls (LLVM 19), and the library's question about spare memory. */
 #include <stddef.h>
 #include <stdint.h>
 

@@ -54,7 +54,7 @@ for patch in "$here"/libisal-2.30.patch; do
     esac
 done
 
-# What their own builds would write.
+# The headers that their own builds generate.
 mkdir -p include/isa-l
 cp isal/include/*.h include/isa-l/
 cp png/scripts/pnglibconf.h.prebuilt include/pnglibconf.h

@@ -279,6 +279,20 @@ bool zr_json_count(struct zr_json *json, const struct zr_json_path *path, size_t
     return !there.ended;
 }
 
+void *zr_json_enter_list(struct zr_json *json, const struct zr_json_path *path, const char *things, size_t most,
+                         size_t size, size_t *count)
+{
+    if (!zr_json_count(json, path, count)) return NULL;
+    if (*count > most) {
+        zr_json_skip(json);
+        zr_json_fault(json, path, "%zu %s; up to %zu are allowed", *count, things, most);
+        return NULL;
+    }
+    void *items = zr_arena_zero(json->arena, *count, size);
+    if (items) zr_json_enter(json, '[');
+    return items;
+}
+
 bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, struct zr_json_row row, double *out,
                      size_t *count)
 {

@@ -91,4 +91,9 @@ bool zr_json_list(struct zr_json *json, const struct zr_json_path *path);
 /* Counts the items of the next value, a list, without consuming it. False if it is no list or reading stops. */
 bool zr_json_count(struct zr_json *json, const struct zr_json_path *path, size_t *count);
 
+/* Makes a zeroed array for the items of the next value, a list of at most `most` things of `size` bytes each, and enters
+ * the list. NULL if it is no list, has more of them ("9 lights; up to 8 are allowed"), or there is no memory. */
+void *zr_json_enter_list(struct zr_json *json, const struct zr_json_path *path, const char *things, size_t most,
+                         size_t size, size_t *count);
+
 #endif

@@ -36,15 +36,9 @@ static bool read_pattern(struct zr_json *json, const struct zr_json_path *path, 
 static bool read_list(struct zr_json *json, const struct zr_json_path *path, struct zr_part_set *out)
 {
     size_t count, read = 0;
-    if (!zr_json_count(json, path, &count)) return false;
-    if (count > PATTERNS_MAX) {
-        zr_json_fault(json, path, "%zu names; up to %d are allowed", count, PATTERNS_MAX);
-        return zr_json_skip(json) && false;
-    }
-    struct zr_part_pattern *patterns = zr_arena_zero(json->arena, count, sizeof *patterns);
+    struct zr_part_pattern *patterns = zr_json_enter_list(json, path, "names", PATTERNS_MAX, sizeof *patterns, &count);
     if (!patterns) return false;
     bool is_good = true;
-    zr_json_enter(json, '[');
     for (; zr_json_item(json); read++)
         is_good = read_pattern(json, ZR_JSON_ITEM(path, read), &patterns[read]) && is_good;
     out->count = (uint32_t)count;

@@ -163,7 +163,7 @@ const struct zr_json_field zr_scene_fields[] = {
                            .text = "holes, bosses, fillets and planes of each part, in the object features of info",
                            .schema = ZR_SCHEMA({"type" : "boolean"})},
     [ZR_SCENE_PICKS] = {"picks", zr_read_picks, 0, .otherwise = "[]",
-                        .text = "pixels whose surfaces info describes: part, face, feature, point, normal, and what lies "
+                        .text = "pixels whose surfaces info describes: part, face, feature, point, normal, and the surfaces "
                                 "behind; and distances from each pick to the next",
                         .schema = ZR_SCHEMA({
                             "type" : "array",

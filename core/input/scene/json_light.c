@@ -222,14 +222,11 @@ bool zr_read_lights(struct zr_json *json, const struct zr_json_path *path, void 
 {
     struct zr_parsed_scene *root = out;
     size_t count, number = 0;
-    if (!zr_json_count(json, path, &count)) return false;
-    if (count > ZR_LIGHTS_MAX)
-        return zr_json_skip(json) &&
-               zr_json_fault(json, path, "%zu lights; up to %d are allowed", count, ZR_LIGHTS_MAX);
-    struct zr_light *lights = zr_arena_zero(json->arena, count, sizeof *lights);
+    struct zr_light *lights = zr_json_enter_list(json, path, "lights", ZR_LIGHTS_MAX, sizeof *lights, &count);
+    if (!lights) return false;
     root->light_colors = zr_arena_zero(json->arena, count, sizeof *root->light_colors);
-    if (!lights || !root->light_colors) return false;
-    for (zr_json_enter(json, '['); zr_json_item(json); number++)
+    if (!root->light_colors) return false;
+    for (; zr_json_item(json); number++)
         read_light(root, json, ZR_JSON_ITEM(path, number), &lights[number], &root->light_colors[number]);
     root->lights = lights;
     root->light_count = (uint32_t)number;

@@ -107,12 +107,9 @@ static bool read_uncut(struct zr_json *json, const struct zr_json_path *path, vo
     struct zr_sections *sections = out;
     size_t count, number = 0;
     bool is_good = true;
-    if (!zr_json_count(json, path, &count)) return false;
-    if (count > UNCUT_MAX)
-        return zr_json_skip(json) && zr_json_fault(json, path, "%zu names; up to %d are allowed", count, UNCUT_MAX);
-    const char **names = zr_arena_zero(json->arena, count, sizeof *names);
+    const char **names = zr_json_enter_list(json, path, "names", UNCUT_MAX, sizeof *names, &count);
     if (!names) return false;
-    for (zr_json_enter(json, '['); zr_json_item(json); number++)
+    for (; zr_json_item(json); number++)
         is_good = zr_json_string(json, ZR_JSON_ITEM(path, number), &names[number]) && is_good;
     if (!is_good) return false;
     sections->uncut = names;

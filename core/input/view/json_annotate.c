@@ -54,13 +54,10 @@ static const struct zr_json_field end_fields[] = {
     [END_INDEX] = {"index", zr_json_whole, AT(index), .otherwise = "0", .text = "number of a hole in its group"},
     [END_PART] = {"part", zr_json_string, AT(part), .otherwise = "the first part with holes",
                   .text = "name of the part that has the hole"},
-    [END_PICK] = {"pick", read_pixel, AT(pixel), .text = "pixel, whose surface has the place",
-                  .schema = ZR_SCHEMA({
-                      "type" : "array",
-                      "items" : {"type" : "integer", "minimum" : 0},
-                      "minItems" : 2,
-                      "maxItems" : 2
-                  })}};
+    [END_PICK] = {
+        "pick", read_pixel, AT(pixel), .text = "pixel, whose surface has the place",
+        .schema = ZR_SCHEMA(
+            {"type" : "array", "items" : {"type" : "integer", "minimum" : 0}, "minItems" : 2, "maxItems" : 2})}};
 #undef AT
 const struct zr_json_object zr_json_object_dimensionEnd = ZR_JSON_OBJECT_OF("dimensionEnd", end_fields);
 
@@ -78,8 +75,9 @@ static bool read_end(struct zr_json *json, const struct zr_json_path *path, void
     end.is_hole = keys >> END_HOLE & 1;
     end.is_pick = keys >> END_PICK & 1;
     if (end.is_hole == end.is_pick)
-        return zr_json_fault(json, path, end.is_hole ? "both hole and pick; give one of them"
-                                                     : "neither hole nor pick; give one of them");
+        return zr_json_fault(json, path,
+                             end.is_hole ? "both hole and pick; give one of them"
+                                         : "neither hole nor pick; give one of them");
     if (end.is_pick && keys != (uint64_t)1 << END_PICK)
         return zr_json_fault(json, path, "index and part belong to a hole, and this is a pick");
     *(struct zr_dimension_end *)out = end;
@@ -90,12 +88,12 @@ static bool read_end(struct zr_json *json, const struct zr_json_path *path, void
 #define AT(member) offsetof(struct zr_dimension, member)
 enum { FROM, TO, APEX };
 static const struct zr_json_field fields[] = {
-    [FROM] = {"from", read_end, AT(from), .required = true, .object = &zr_json_object_dimensionEnd, .unit = "scene units", .schema = END_SCHEMA,
-              .text = "first place, or an object"},
+    [FROM] = {"from", read_end, AT(from), .required = true, .object = &zr_json_object_dimensionEnd,
+              .unit = "scene units", .schema = END_SCHEMA, .text = "first place, or an object"},
     [TO] = {"to", read_end, AT(to), .object = &zr_json_object_dimensionEnd, .unit = "scene units", .schema = END_SCHEMA,
             .otherwise = "the circle of the hole from", .text = "second place, or an object"},
-    [APEX] = {"at", read_end, AT(at), .object = &zr_json_object_dimensionEnd, .unit = "scene units", .schema = END_SCHEMA,
-              .otherwise = "none", .text = "apex of an angle"},
+    [APEX] = {"at", read_end, AT(at), .object = &zr_json_object_dimensionEnd, .unit = "scene units",
+              .schema = END_SCHEMA, .otherwise = "none", .text = "apex of an angle"},
     {"type", zr_json_choice, AT(kind), .words = &kind_names, .otherwise = "length",
      .text = "length; radius or diameter of the circle around from through to; angle at the apex at"},
     {"along", zr_json_choice, AT(along), .words = &axis_names, .otherwise = "the distance",
@@ -110,10 +108,10 @@ static bool check_type(struct zr_json *json, const struct zr_json_path *path, co
     const bool is_angle = given->kind == ZR_DIMENSION_ANGLE;
     const bool is_round = given->kind == ZR_DIMENSION_RADIUS || given->kind == ZR_DIMENSION_DIAMETER;
     if (is_angle != given->has_at)
-        return zr_json_fault(json, path, is_angle ? "an angle needs the key at, its apex"
-                                                  : "the key at, an apex, belongs to the type angle only");
-    if (!given->has_to && !(is_round && given->from.is_hole))
-        return zr_json_fault(json, path, "to is missing");
+        return zr_json_fault(json, path,
+                             is_angle ? "an angle needs the key at, its apex"
+                                      : "the key at, an apex, belongs to the type angle only");
+    if (!given->has_to && !(is_round && given->from.is_hole)) return zr_json_fault(json, path, "to is missing");
     if (given->along >= 0 && (is_angle || is_round))
         return zr_json_fault(json, path, "the key along belongs to the type length only");
     return true;
@@ -139,17 +137,13 @@ bool zr_read_dimensions(struct zr_json *json, const struct zr_json_path *path, v
     size_t count = 0, number = 0;
     bool is_good = true;
     annotate->dimension_count = 0;
-    if (!zr_json_count(json, path, &count)) return false;
-    if (count > ZR_DIMENSIONS_MAX) {
-        zr_json_skip(json);
-        return zr_json_fault(json, path, "%zu dimensions; up to %d are allowed", count, ZR_DIMENSIONS_MAX);
-    }
-    struct zr_dimension *at = zr_arena_zero(json->arena, count ? count : 1, sizeof *at);
-    for (zr_json_enter(json, '['); at && zr_json_item(json); number++)
+    struct zr_dimension *at = zr_json_enter_list(json, path, "dimensions", ZR_DIMENSIONS_MAX, sizeof *at, &count);
+    if (!at) return false;
+    for (; zr_json_item(json); number++)
         is_good = read_dimension(json, ZR_JSON_ITEM(path, number), &at[number]) && is_good;
     annotate->dimensions = at;
-    annotate->dimension_count = at ? (uint32_t)count : 0;
-    return is_good && at;
+    annotate->dimension_count = (uint32_t)count;
+    return is_good;
 }
 
 #define AT(member) offsetof(struct zr_place_mark, member)
@@ -167,15 +161,11 @@ bool zr_read_marks(struct zr_json *json, const struct zr_json_path *path, void *
     uint64_t keys;
     bool is_good = true;
     annotate->mark_count = 0;
-    if (!zr_json_count(json, path, &count)) return false;
-    if (count > ZR_PLACE_MARKS_MAX) {
-        zr_json_skip(json);
-        return zr_json_fault(json, path, "%zu marks; up to %d are allowed", count, ZR_PLACE_MARKS_MAX);
-    }
-    struct zr_place_mark *at = zr_arena_zero(json->arena, count ? count : 1, sizeof *at);
-    for (zr_json_enter(json, '['); at && zr_json_item(json); number++)
+    struct zr_place_mark *at = zr_json_enter_list(json, path, "marks", ZR_PLACE_MARKS_MAX, sizeof *at, &count);
+    if (!at) return false;
+    for (; zr_json_item(json); number++)
         is_good = zr_json_fields(json, ZR_JSON_ITEM(path, number), &zr_json_object_mark, &at[number], &keys) && is_good;
     annotate->marks = at;
-    annotate->mark_count = at ? (uint32_t)count : 0;
-    return is_good && at;
+    annotate->mark_count = (uint32_t)count;
+    return is_good;
 }

@@ -24,17 +24,13 @@ bool zr_read_picks(struct zr_json *json, const struct zr_json_path *path, void *
     size_t count = 0, number = 0;
     bool is_good = true;
     picks->count = 0;
-    if (!zr_json_count(json, path, &count)) return false;
-    if (count > ZR_PICKS_MAX) {
-        zr_json_skip(json);
-        return zr_json_fault(json, path, "%zu picks; up to %d are allowed", count, ZR_PICKS_MAX);
-    }
-    uint32_t(*at)[2] = zr_arena_zero(json->arena, count ? count : 1, sizeof *at);
-    for (zr_json_enter(json, '['); at && zr_json_item(json); number++)
+    uint32_t(*at)[2] = zr_json_enter_list(json, path, "picks", ZR_PICKS_MAX, sizeof *at, &count);
+    if (!at) return false;
+    for (; zr_json_item(json); number++)
         is_good = read_pixel(json, ZR_JSON_ITEM(path, number), at[number]) && is_good;
     picks->at = (const uint32_t(*)[2])at;
-    picks->count = at ? (uint32_t)count : 0;
-    return is_good && at;
+    picks->count = (uint32_t)count;
+    return is_good;
 }
 
 /* Reads ["part", "other part"]. */
@@ -61,15 +57,11 @@ bool zr_read_distances(struct zr_json *json, const struct zr_json_path *path, vo
     size_t count = 0, number = 0;
     bool is_good = true;
     scene->distance_count = 0;
-    if (!zr_json_count(json, path, &count)) return false;
-    if (count > ZR_DISTANCES_MAX) {
-        zr_json_skip(json);
-        return zr_json_fault(json, path, "%zu pairs; up to %d are allowed", count, ZR_DISTANCES_MAX);
-    }
-    struct zr_part_pair *at = zr_arena_zero(json->arena, count ? count : 1, sizeof *at);
-    for (zr_json_enter(json, '['); at && zr_json_item(json); number++)
+    struct zr_part_pair *at = zr_json_enter_list(json, path, "pairs", ZR_DISTANCES_MAX, sizeof *at, &count);
+    if (!at) return false;
+    for (; zr_json_item(json); number++)
         is_good = read_pair(json, ZR_JSON_ITEM(path, number), &at[number]) && is_good;
     scene->distances = at;
-    scene->distance_count = at ? (uint32_t)count : 0;
-    return is_good && at;
+    scene->distance_count = (uint32_t)count;
+    return is_good;
 }

@@ -27,7 +27,7 @@ enum { ZR_FEATURE_BYTES = 320, ZR_FEATURE_BYTES_OF_POSITION = 64, ZR_FEATURE_BYT
 /* Bytes for the features other than holes: per triangle, and a constant, which is doubled for many triangles. */
 enum { ZR_FEATURE_BYTES_OF_REST = 64, ZR_FEATURE_BYTES_OF_REST_LEAST = 1 << 19 };
 
-/* What keeps holes from being searched. */
+/* Reasons why holes are not searched. */
 enum zr_feature_limit {
     ZR_FEATURE_LIMIT_NONE,
     ZR_FEATURE_LIMIT_FACES,

@@ -134,7 +134,7 @@ static void print_pick(const struct printing *p, const struct zr_pick *pick)
     zr_print_end(p->print, '}');
 }
 
-/* Prints what lies between two picks. */
+/* Prints distance, offset and angle between two picks. */
 static void print_between(const struct printing *p, uint32_t from, const struct zr_picked *a, const struct zr_picked *b)
 {
     const zr_dvec3 d = zr_dvec3_sub(vector_of(b->point), vector_of(a->point)), m = vector_of(a->normal),

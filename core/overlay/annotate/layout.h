@@ -20,8 +20,8 @@ struct zr_segment {
     struct zr_point from, to;
 };
 
-/* Causes, as warnings tell them apart. There is no warning of UNSEEN: what lies on the other side of the model, and the
- * axis of the box along the view. */
+/* Causes, as warnings tell them apart. UNSEEN has no warning: holes on the far side of the model, and the box's axis
+ * along the view. */
 enum zr_left_out_cause {
     ZR_LEFT_OUT_NO_ROOM,
     ZR_LEFT_OUT_BY_VIEW,
@@ -31,7 +31,7 @@ enum zr_left_out_cause {
     ZR_LEFT_OUT_CAUSES
 };
 
-/* What is not drawn, with the reason; both are in the arena or literals. */
+/* A mark that is not drawn, such as dimensions/0, and the reason. Both are in the arena or literals. */
 struct zr_left_out {
     const char *what, *why;
     enum zr_left_out_cause cause;
@@ -98,7 +98,7 @@ bool zr_layout_line_meets(struct zr_segment line, struct zr_rect rect);
 void zr_layout_take_rect(struct zr_layout *layout, struct zr_rect rect);
 void zr_layout_take_line(struct zr_layout *layout, struct zr_segment line);
 
-/* Notes what is not drawn. `what` is copied. */
+/* Lists a mark that is not drawn. Its name is copied. */
 void zr_layout_leave_out(struct zr_layout *layout, const char *what, const char *why, enum zr_left_out_cause cause);
 
 /* Returns an ink of a width in lines, with a halo or without. */

@@ -1,4 +1,4 @@
-/* Picks: the surface at a pixel, what lies behind it, its feature, and the way to the next pick. */
+/* Picks: the surface at a pixel, those behind it, its feature, and the way to the next pick. */
 #include <math.h>
 
 #include "base/team.h"

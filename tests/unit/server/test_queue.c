@@ -10,7 +10,7 @@
 
 enum { CALM_MS = 1, PATIENCE_MS = 10000, LITTLE = 20000, PASS = 9 << 20 };
 
-/* Says that it has begun, and what its arena then had, uses a little, and the memory of a pass, and ends when it may. */
+/* Reports its begin and the memory that its arena has then, allocates a little and a pass, and ends when it may. */
 struct task {
     struct queue_job job;
     size_t had_memory;

@@ -1,4 +1,4 @@
-/* setjmp.h of WebAssembly: by exceptions, which clang makes of it (-wasm-enable-sjlj); runtime.c has what it calls. */
+/* setjmp.h of WebAssembly. clang makes exceptions of it (-wasm-enable-sjlj); runtime.c has the functions that they call. */
 #ifndef ZR_WASM_SETJMP_H
 #define ZR_WASM_SETJMP_H
 
