@@ -56,6 +56,7 @@ export class Zraster {
     if (worker !== this.#worker) return;
     this.#worker?.terminate();
     this.#worker = null;
+    this.#run++;
     for (const call of this.#calls.values()) call.reject(error);
     this.#calls.clear();
   }

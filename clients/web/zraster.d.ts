@@ -29,6 +29,9 @@ export type Source = URL | string | Response | BufferSource | WebAssembly.Module
 /** Opens the renderer. source: by default the module of this package. */
 export function load(source?: Source | Promise<Source>, options?: LoadOptions): Promise<Zraster>;
 
+/** Compiles the module once, for several load(). */
+export function compile(source?: Source | Promise<Source>): Promise<WebAssembly.Module>;
+
 export class Zraster {
   readonly version: string;
   /** rises when the same scene gets other pixels */

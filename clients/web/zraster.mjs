@@ -31,7 +31,8 @@ function isScene(body, type, tables) {
   return /^[{[]/.test(start) && !/"asset"\s*:\s*\{[^}]*"version"/.test(start);
 }
 
-async function compiled(source) {
+/** Compiles a module, of which load() opens any number: a URL, a Response, bytes, or a promise of one. */
+export async function compile(source) {
   source = await source;
   if (source instanceof WebAssembly.Module) return source;
   if (source instanceof URL || typeof source === 'string') source = await fetch(source);
@@ -59,7 +60,7 @@ function importsOf(module, memory) {
 export async function load(source, { memoryMax = 2 ** 30 } = {}) {
   if (!(memoryMax >= INITIAL_PAGES * PAGE && memoryMax <= MAXIMUM))
     throw new ZrasterError('bad-request', `memoryMax: ${memoryMax} is not between 8 MiB and 4 GiB`);
-  const renderer = new Zraster(await compiled(source), memoryMax);
+  const renderer = new Zraster(await compile(source), memoryMax);
   await renderer.reopen();
   return renderer;
 }

@@ -285,9 +285,11 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, uint64_t count, uint64_t 
 void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new_count, size_t size)
 {
     const size_t taken = rounded_up(count * size, ZR_ARENA_ALIGN), kept = rounded_up(new_count * size, ZR_ARENA_ALIGN);
-    struct zr_arena_block *block = array ? arena->first : NULL;
-    while (block && (char *)array + taken + GAP != block_bytes(block) + block->used)
-        block = block->next;
+    const char *end = (const char *)array + taken + GAP;
+    struct zr_arena_block *block = array ? arena->current : NULL; /* in a step, it is not among the others */
+    if (block && end != block_bytes(block) + block->used)
+        for (block = arena->first; block && end != block_bytes(block) + block->used;)
+            block = block->next;
     if (!block) return;
     ZR_FORBID((char *)array + new_count * size, taken + GAP - new_count * size);
     block->used -= taken - kept;
@@ -371,18 +373,35 @@ struct zr_arena_share zr_arena_close_part(struct zr_arena *arena, const struct z
     return share;
 }
 
-void zr_arena_drop_part(struct zr_arena *arena, const struct zr_arena_part *part)
+struct zr_arena_step zr_arena_open_step(struct zr_arena *arena)
 {
+    const struct zr_arena_step step = {.used = arena->used,
+                                       .held = arena->held,
+                                       .most = arena->most,
+                                       .current_used = arena->current ? arena->current->used : 0,
+                                       .first = arena->first,
+                                       .current = arena->current};
+    arena->first = NULL;
+    arena->most = arena->held;
+    return step;
+}
+
+void zr_arena_close_step(struct zr_arena *arena, const struct zr_arena_step *step)
+{
+    struct zr_arena_block *current = step->current;
     for (struct zr_arena_block *block = arena->first, *next; block; block = next) {
         next = block->next;
         make_spare(arena, block);
     }
-    arena->first = part->first;
-    arena->current = part->current;
-    arena->unit = part->unit;
-    arena->used = part->used;
-    arena->held = part->held;
-    if (arena->most < part->most) arena->most = part->most;
+    if (current) {
+        ZR_FORBID(block_bytes(current) + step->current_used, current->used - step->current_used);
+        current->used = step->current_used;
+    }
+    arena->first = step->first;
+    arena->current = current;
+    arena->used = step->used;
+    arena->held = step->held;
+    if (arena->most < step->most) arena->most = step->most;
 }
 
 size_t zr_arena_bytes(const struct zr_arena *arena)

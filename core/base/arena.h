@@ -113,9 +113,16 @@ struct zr_arena_part zr_arena_open_part(struct zr_arena *arena, size_t unit);
 struct zr_arena_share zr_arena_close_part(struct zr_arena *arena, const struct zr_arena_part *part,
                                           const struct zr_arena_share *shared);
 
-/* Ends a part whose results are not needed any more: its blocks become spares for later allocations. Not for scratch
+/* A step whose results are not needed behind it: it goes on in the current block. */
+struct zr_arena_step {
+    size_t used, held, most, current_used; /* before */
+    struct zr_arena_block *first, *current;
+};
+struct zr_arena_step zr_arena_open_step(struct zr_arena *arena);
+
+/* Frees all that was allocated in the step. Its own blocks become spares for later allocations. Not for scratch
  * arenas. */
-void zr_arena_drop_part(struct zr_arena *arena, const struct zr_arena_part *part);
+void zr_arena_close_step(struct zr_arena *arena, const struct zr_arena_step *step);
 
 /* Returns the size of all blocks. */
 size_t zr_arena_bytes(const struct zr_arena *arena);

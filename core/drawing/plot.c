@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/trig.h"
+#include "overlay/type.h"
 
 static const double arrow_length = 3.0, arrow_half_width = 0.5;
 
@@ -114,6 +115,7 @@ void zr_plot_add_text(struct zr_plot *plot, const char *text, struct zr_point at
 {
     struct zr_plot_item item = {.kind = ZR_PLOT_WORDS, .pen = ZR_PLOT_TEXT, .height = height, .is_upright = is_upright};
     item.text = zr_arena_copy(plot->arena, text, strlen(text) + 1);
+    plot->boxed += item.text && !zr_type_has_all(text);
     if (item.text)
         add(plot, item, &at, 1);
     else

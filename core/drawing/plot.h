@@ -68,6 +68,7 @@ struct zr_plot {
     const char *title;    /* UTF-8 */
     char scale[32];       /* "1:2" */
     uint32_t item_count, item_room, point_count, point_room, group_count;
+    uint32_t boxed; /* texts with characters that have no letter: they are drawn as boxes */
     struct zr_plot_item *items;
     struct zr_point *points;
     struct zr_plot_group groups[ZR_PLOT_GROUPS];

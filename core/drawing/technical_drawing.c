@@ -269,6 +269,8 @@ enum zr_status zr_technical_drawing_make(const struct zr_run *run, const struct 
         STAGE(add_view(&m, (enum zr_page_view)view));
     *facts = (struct zr_technical_facts){.holes = m.holes.count, .noted = add_marks(&m), .unit = scene->file.unit};
     memcpy(facts->sizes, m.placed.sizes, sizeof facts->sizes);
+    if (out->boxed > 0)
+        zr_warning_list_add(run->arena, warnings, "title or date has characters that have no glyph: drawn as boxes");
     if (status == ZR_OK && zr_is_cancelled(run->cancel)) status = ZR_CANCELLED;
     if (status == ZR_OK && (out->has_failed || !zr_arena_ok(run->scratch))) status = ZR_NO_MEMORY;
     return status;

@@ -72,7 +72,7 @@ static void warn_of_turn(const struct zr_run *run, struct zr_comparison *c)
                         "a and b have no hole in common, but nearly the same area: align=principal turns b if it fits");
 }
 
-static void warn(const struct zr_run *run, bool has_no_deviation, struct zr_comparison *c)
+static void warn(const struct zr_run *run, const struct zr_comparison_options *options, struct zr_comparison *c)
 {
     const struct zr_solid *solids[2] = {&c->a, &c->b};
     const struct zr_own_volume *volumes[2] = {&c->volumes.a, &c->volumes.b};
@@ -92,9 +92,12 @@ static void warn(const struct zr_run *run, bool has_no_deviation, struct zr_comp
     }
     warn_of_alignment(run, c);
     warn_of_turn(run, c);
-    if (!c->has_deviation && !has_no_deviation)
+    if (!c->has_deviation && !options->has_no_deviation)
         zr_warning_list_add(run->arena, &c->warnings,
                             "distances are left out: too many triangles overlap to search them");
+    if (c->holes.is_omitted && !options->has_no_features)
+        zr_warning_list_add(run->arena, &c->warnings,
+                            "holes are left out: their search takes too much work or memory");
 }
 
 static void find_distances(struct zr_comparison *c)
@@ -225,6 +228,6 @@ enum zr_status zr_comparison_make(const struct zr_run *run, const struct zr_scen
     if (status != ZR_OK) return status;
     status = measure(run, (const struct zr_scene *const[2]){a, b}, options, out);
     if (status != ZR_OK) return status;
-    warn(run, options->has_no_deviation, out);
+    warn(run, options, out);
     return zr_arena_ok(run->arena) ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -57,6 +57,7 @@ void zr_marks_add_text(struct zr_marks *marks, const char *text, struct zr_type_
     if (!mark) return;
     mark->place = place;
     mark->text = zr_arena_copy(marks->arena, text, strlen(text) + 1);
+    marks->boxed += mark->text && !zr_type_has_all(text);
     if (mark->text) return;
     marks->count--;
     marks->has_failed = true;

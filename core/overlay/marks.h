@@ -40,6 +40,7 @@ struct zr_marks {
     struct zr_arena *arena;
     struct zr_mark *at;
     uint32_t count, room;
+    uint32_t boxed; /* texts with characters that have no letter: they are drawn as boxes */
     bool has_failed;
 };
 

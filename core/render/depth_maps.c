@@ -30,11 +30,11 @@ static enum zr_status draw_depths(const struct zr_run *run, const struct zr_scen
     frame->spans = zr_arena_alloc(run->arena, side, sizeof *frame->spans);
     if (!zr_arena_ok(run->arena)) return ZR_NO_MEMORY;
     *depths = frame->depth;
-    const struct zr_arena_part part = zr_arena_open_part(run->arena, run->arena->unit);
+    const struct zr_arena_step step = zr_arena_open_step(run->arena);
     enum zr_status status = ZR_OK;
     STAGE(zr_pass_make(run, &desc, pass));
     STAGE(zr_tiles_draw(run, &pass->tiles, frame));
-    zr_arena_drop_part(run->arena, &part);
+    zr_arena_close_step(run->arena, &step);
     return status;
 }
 

@@ -124,11 +124,11 @@ static enum zr_status draw_gbuffer(const struct drawing *d, struct zr_gbuffer *p
     struct gbuffer_drawing drawing = {d, &pass, pixels};
     enum zr_status status = make_gbuffer(d, pixels);
     if (status != ZR_OK) return status;
-    const struct zr_arena_part part = zr_arena_open_part(d->run->arena, d->run->arena->unit);
+    const struct zr_arena_step step = zr_arena_open_step(d->run->arena);
     status = zr_pass_make(d->run, &desc, &pass);
     if (status == ZR_OK)
         zr_team_ranges(d->run->team, zr_tile_count(d->frame->width, d->frame->height), 2, draw_gbuffer_range, &drawing);
-    zr_arena_drop_part(d->run->arena, &part);
+    zr_arena_close_step(d->run->arena, &step);
     return status == ZR_OK ? status_of(d) : status;
 }
 
@@ -282,9 +282,9 @@ static enum zr_status draw_light(struct drawing *d)
 static enum zr_status draw_light_and_lines(struct drawing *d)
 {
     const struct zr_edges *edges = &d->scene->picture->edges;
-    const struct zr_arena_part part = zr_arena_open_part(d->run->arena, d->run->arena->unit);
+    const struct zr_arena_step step = zr_arena_open_step(d->run->arena);
     enum zr_status status = draw_light(d);
-    zr_arena_drop_part(d->run->arena, &part);
+    zr_arena_close_step(d->run->arena, &step);
     if (edges->is_on && edges->is_from_mesh) STAGE(zr_mesh_lines_draw(d->run, d->scene, d->frame));
     return status;
 }

@@ -122,9 +122,9 @@ static enum zr_status draw_frame(const struct zr_run *run, const struct zr_scene
             status = passes[i].run(run, scene, frame);
             continue;
         }
-        const struct zr_arena_part part = zr_arena_open_part(run->scratch, run->scratch->unit);
+        const struct zr_arena_step step = zr_arena_open_step(run->scratch);
         status = passes[i].run(passes[i].stays ? run : &inner, scene, frame);
-        zr_arena_drop_part(run->scratch, &part);
+        zr_arena_close_step(run->scratch, &step);
     }
     return status;
 }

@@ -109,10 +109,10 @@ static void describe_least_wall(struct mcp_text *text, const cJSON *part)
 {
     const cJSON *wall = mcp_get(part, "leastWall"), *at = mcp_get(part, "leastWallAt");
     if (cJSON_IsNumber(wall))
-        mcp_text_print(text, "\n  least wall: %.5g at (%.6g, %.6g, %.6g)", wall->valuedouble, mcp_number_at(at, 0),
+        mcp_text_print(text, "\n  least wall between parallel faces: %.5g at (%.6g, %.6g, %.6g)", wall->valuedouble, mcp_number_at(at, 0),
                        mcp_number_at(at, 1), mcp_number_at(at, 2));
     else if (cJSON_IsTrue(mcp_get(part, "leastWallOmitted")))
-        mcp_text_put(text, "\n  least wall: not searched, too much work or memory");
+        mcp_text_put(text, "\n  least wall between parallel faces: not searched, too much work or memory");
 }
 
 /* Writes the number of open loops, and the first, which is the longest. */

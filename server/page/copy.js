@@ -39,7 +39,7 @@ const COPIES = {
   json: () => copiedScene(),
 };
 
-let copyKind = 'curl';
+let copyKind = PLACE.server ? 'curl' : 'command';
 
 async function showCopy(kind) {
   copyKind = kind;
@@ -67,6 +67,7 @@ async function copyNow() {
 }
 
 function listenToCopy() {
+  if (!PLACE.server) byId('copy-curl').remove();
   byId('copy').onclick = () => {
     byId('copy-dialog').showModal();
     showCopy(copyKind);

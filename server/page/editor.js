@@ -131,10 +131,11 @@ function listenToText() {
   area.onscroll = follow;
 }
 
-// Asks the daemon for the place at which the JSON breaks.
+// Finds the place at which the JSON breaks.
 async function checkSyntax() {
   try {
-    await call('v1/render?channel=info&render=false', { method: 'POST', body: state.text || ' ', headers: { 'Content-Type': 'application/json' } });
+    if (!PLACE.server) await readHere(state.text || ' ');
+    else await call('v1/render?channel=info&render=false', { method: 'POST', body: state.text || ' ', headers: { 'Content-Type': 'application/json' } });
   } catch (error) {
     showErrors(error);
   }

@@ -1,7 +1,7 @@
-// The lesson: an algorithm fills a window of 32 x 24 pixels step by step, as the daemon did it.
+// The lesson: an algorithm fills a window of 32 x 24 pixels step by step, as the renderer did it.
 
 const LESSON_WINDOW = { width: 32, height: 24 };
-const MOST_PRIMITIVES = 64; // that the daemon traces
+const MOST_PRIMITIVES = 64; // that the renderer traces
 const lesson = { algorithm: 'edgelist', trace: null, steps: [], at: 0, key: '', playing: 0 };
 
 const keyOfLesson = () => lesson.algorithm + state.version + JSON.stringify(state.camera);

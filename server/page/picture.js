@@ -108,10 +108,10 @@ async function drawOnce({ isRough }) {
     const hasFacts = !isRough && !state.info && !isSeveral();
     const query = hasFacts ? '' : isRough ? '?channel=color' : pictureQuery();
     const outputs = hasFacts ? { outputs: [{ channel: 'color' }, { channel: 'info' }] } : {};
-    const answer = await render(state.text, { ...changes, ...outputs }, query, controller.signal);
+    const answer = await render(state.text, { ...changes, ...outputs }, query, controller.signal, isRough);
     if (version !== state.version) return;
     if (hasFacts) state.info = JSON.parse(await answer.parts.get('info').text());
-    await show(answer.blob);
+    await show(answer);
     motion.frames++;
     document.documentElement.dataset.drawn = String(motion.frames);
     if (isRough) {
@@ -133,7 +133,7 @@ async function drawOnce({ isRough }) {
 
 let movieUrl = '';
 
-async function show(blob) {
+async function show({ blob, image }) {
   const canvas = byId('picture'), movie = byId('movie'), is = isMovie();
   if (is) {
     if (movieUrl) URL.revokeObjectURL(movieUrl);
@@ -141,13 +141,14 @@ async function show(blob) {
     movie.src = movieUrl;
     await movie.decode();
   } else {
-    const bitmap = await createImageBitmap(blob);
-    if (canvas.width !== bitmap.width || canvas.height !== bitmap.height) {
-      canvas.width = bitmap.width;
-      canvas.height = bitmap.height;
+    const drawn = image || await createImageBitmap(blob), context = canvas.getContext('2d');
+    if (canvas.width !== drawn.width || canvas.height !== drawn.height) {
+      canvas.width = drawn.width;
+      canvas.height = drawn.height;
     }
-    canvas.getContext('2d').drawImage(bitmap, 0, 0);
-    bitmap.close();
+    if (image) context.putImageData(image, 0, 0);
+    else context.drawImage(drawn, 0, 0);
+    if (!image) drawn.close();
   }
   movie.hidden = !is;
   canvas.classList.toggle('covered', is);

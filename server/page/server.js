@@ -1,4 +1,4 @@
-// Requests to the daemon. Addresses are relative, so that the page works below any path of a proxy.
+// Pictures, by the daemon or by engine.js, and other requests. Addresses are relative, so that the page works below any path of a proxy.
 
 class Refusal extends Error {
   constructor(status, detail, errors = []) {
@@ -49,7 +49,7 @@ async function call(path, options = {}) {
       response = await fetch(path, { ...options, headers });
     } catch (error) {
       if (error.name === 'AbortError') throw error;
-      throw new Refusal(0, 'No answer. Is the daemon running?');
+      throw new Refusal(0, PLACE.server ? 'No answer. Is the daemon running?' : 'No answer. Is the network off?');
     }
     if (response.ok) return response;
     if (response.status === 401) {
@@ -109,9 +109,10 @@ async function prepare(text) {
   await Promise.all(assets.map(({ name }) => name).filter((name) => !files.has(name)).map(find));
   const used = assets.map(({ name }) => files.get(name)).filter((file) => file && file.blob);
   const isTogether = used.some((file) => file.together);
-  if (server.keepsAssets && !isTogether) await Promise.all([...new Set(used)].filter((file) => !file.sha256).map(upload));
+  const isStored = PLACE.server && server.keepsAssets && !isTogether;
+  if (isStored) await Promise.all([...new Set(used)].filter((file) => !file.sha256).map(upload));
   let parts = [];
-  if (!server.keepsAssets || isTogether) {
+  if (!isStored || !server.keepsAssets) {
     const names = new Set(assets.map(({ name }) => name));
     parts = [...files].filter(([name, file]) => file.blob && (names.has(name) || (isTogether && file.together)));
   }
@@ -131,7 +132,8 @@ function multipart(text, parts) {
 
 // Renders the text with other values at the top, such as {samples: 1}. Returns the bytes, times and warnings; of several
 // outputs the bytes of each: parts.get('depth').
-async function render(text, changes, query, signal) {
+async function render(text, changes, query, signal, isRough = false) {
+  if (!PLACE.server) return renderHere(text, changes, query, signal, isRough);
   const { assets, parts: sent } = await prepare(text);
   const edits = sent.length ? [] : assets.filter(({ name }) => (files.get(name) || {}).sha256)
     .map(({ name, from, to }) => ({ from, to, text: `"sha256:${files.get(name).sha256}"` }));

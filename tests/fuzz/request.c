@@ -7,6 +7,8 @@
 #include "base/run.h"
 #include "cost/cost.h"
 #include "fuzz/fuzz.h"
+#include "request/compare.h"
+#include "request/drawing_file.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
@@ -94,6 +96,24 @@ static void compare_algorithms(struct zr_arena *arena, const struct zr_scene *sc
     }
 }
 
+/* A small scene on paper, and compared with itself. */
+static void measure(struct zr_arena *arena, const struct zr_scene *scene)
+{
+    static const char *const queries[] = {"", "section=x&page=a3", "projection=first&hidden=false", "section=z:0.3"};
+    struct zr_arena scratch = zr_arena_open_scratch(arena);
+    struct zr_error error = {0};
+    const struct zr_run run = {.arena = arena, .scratch = &scratch, .error = &error};
+    struct zr_drawing_file file;
+    struct zr_compare_answer answer;
+    enum zr_status status = zr_drawing_file_make(&run, scene, queries[corners_of(scene) % 4], &file);
+    if (status != ZR_OK) expect_message(status, &error);
+    error = (struct zr_error){0};
+    status = zr_compare(&run, scene, scene, "precision=quick", &answer);
+    if (status != ZR_OK) expect_message(status, &error);
+    fuzz_expect(status != ZR_OK || answer.size > 0, "a comparison has an answer");
+    zr_arena_close_scratch(&scratch, arena);
+}
+
 static void go_on(struct zr_arena *arena, const struct zr_scene *scene)
 {
     struct zr_error error = {0};
@@ -108,6 +128,7 @@ static void go_on(struct zr_arena *arena, const struct zr_scene *scene)
     struct zr_cost cost = zr_scene_cost(scene, resolved);
     fuzz_expect(cost.ms > 0 && cost.ms < HUGE_VAL, "a cost is a number");
     if (corners_of(scene) > (scene->algorithm == ZR_ALGORITHM_PAINTER ? CORNERS_MAX_PAINTER : CORNERS_MAX)) return;
+    if (corners_of(scene) <= CORNERS_MAX_PAINTER) measure(arena, scene);
     if (draw(arena, scene, resolved, &frame) != ZR_OK) return;
     compare_algorithms(arena, scene, resolved, frame);
     status = zr_encode(&(struct zr_run){.arena = arena, .error = &error}, scene, frame, &answer);

@@ -349,6 +349,7 @@ class Drawings(unittest.TestCase):
         facts = zraster.drawing(PLATE, page="a4").facts
         self.assertEqual((facts["page"], facts["scale"], facts["warnings"]), ("a4", "1:1", []))
         self.assertIn("not closed", " ".join(zraster.drawing(opened, section="x").warnings))
+        self.assertEqual(zraster.drawing(PLATE, title="\u65e5\u672c").warnings, ["title or date has characters that have no glyph: drawn as boxes"])
 
     def test_refusals(self):
         """wrong parameters and scenes without a drawing"""

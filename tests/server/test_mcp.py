@@ -417,7 +417,7 @@ class Http(unittest.TestCase):
         mesh = plate()
         self.assertEqual(len(mesh["faces"]), 160)
         text = texts(self.call("facts", scene={"meshes": [mesh]}))[0]
-        for line in ("\n  holes: 1 x diameter 2, through, 2 deep", "\n  symmetry: mirror x = 0, y = 0, z = 1; turn ", "4-fold about (0, 0, 1) at (0, 0, 1)", "\n  least wall: 2 at ("):
+        for line in ("\n  holes: 1 x diameter 2, through, 2 deep", "\n  symmetry: mirror x = 0, y = 0, z = 1; turn ", "4-fold about (0, 0, 1) at (0, 0, 1)", "\n  least wall between parallel faces: 2 at ("):
             self.assertIn(line, text)
         self.assertNotIn("not searched", text)
         text = texts(self.call("facts", scene={"meshes": [{**mesh, "faces": mesh["faces"][:-1]}]}))[0]

@@ -32,11 +32,33 @@ wasm-test: ## the modules in Node: pixels of all scenes and of models as by the 
 	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
 	@DATA="$(DATA)" tests/web/run.sh $(BUILD)
 
+.PHONY: wasm-mutants
+wasm-mutants: ## scenes and models with changed bytes, by the module and by the command: the same pixels or faults: MUTANTS=5000
+	@.ci/need $(NEED_COMMAND) $(NEED_WASM_TEST)
+	@$(MAKE) -s wasm
+	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
+	@ZRASTER_DATA="$(DATA)" node tests/web/test_mutants.mjs $(BUILD) $(wasm)/zraster.wasm $(or $(MUTANTS),5000) >$(wasm)/mutants.tap; status=$$?; \
+		grep -A 4 '^not ok' $(wasm)/mutants.tap | head -n 40; tail -n 2 $(wasm)/mutants.tap; exit $$status
+
 .PHONY: wasm-browser
 wasm-browser: ## the package in Chromium, which is installed: pixels as in Node, on a page and in a Worker
 	@.ci/need $(NEED_WASM_TEST) chromium=chromium
 	@$(MAKE) -s npm
 	@node tests/web/test_browser.mjs $(BUILD)/npm/zraster
+
+.PHONY: site
+site: ## the page as a folder for any server of files: it draws by itself, also without a network: build/site
+	@.ci/need $(NEED_WASM_TEST)
+	@$(MAKE) -s wasm
+	@CC="$(CC)" clients/web/site/build.sh $(BUILD)/npm/zraster $(BUILD)/site
+
+.PHONY: site-test
+site-test: ## build/site in chromium and firefox-esr: pictures as by the command, a dropped model, an orbit, no network, sizes; SKIP_BUILD=1
+	@.ci/need $(NEED_WASM_TEST) $(NEED_COMMAND) chromium=chromium 'firefox-esr=firefox-esr?'
+	@[ -n "$(SKIP_BUILD)" ] || $(MAKE) -s site
+	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/page-test $(PAGE_PACKAGES)
+	@BROWSERS="$(BROWSERS)" DATA="$(DATA)" node tests/page/test_site.js $(BUILD) $(ONLY)
 
 .PHONY: npm
 npm: ## the package zraster for npm: build/npm/zraster-*.tgz
@@ -69,7 +91,7 @@ $(BUILD)/codecs/%.o: $(sources)/%.c | $(missing_compiler)
 	$(Q)$(CC) $(CFLAGS) $(EXACT) -ffunction-sections -fdata-sections -fvisibility=hidden -DNDEBUG -DHAVE_UNISTD_H -w -Iclients/web/module/include $(codec_includes) -c -o $@ $<
 
 # A module is downloaded, so its size counts: kernels and compression are compiled for speed, code outside the loops over pixels for size.
-small_rooms := api cost input lines measure mesh output overlay request scene schema sections views
+small_rooms := api cost drawing input lines measure mesh output overlay request scene schema sections views
 small := $(filter-out %_kernel.$(isas).o,$(filter $(foreach room,$(small_rooms),$(BUILD)/core/$(room)/%),$(core)))
 $(small): CPPFLAGS += -Oz
 $(BUILD)/codecs/png/%.o $(BUILD)/codecs/jpeg/%.o $(BUILD)/codecs/webp/%.o: codec_includes += -Oz

@@ -5,6 +5,10 @@
 
 static const double ZERO = 1e-7, ZERO_DIRECTION = 1e-5;
 
+/* The centre of symmetries has digits down to this share of the size: a tenth of their tolerance
+ * (mesh/features/symmetry.h). */
+static const double SYMMETRY_STEP = 2e-4;
+
 /* The part that is printed. Places and lengths nearer to 0 than a ten-millionth of the size are 0. */
 struct printing {
     struct zr_print *print;
@@ -43,6 +47,17 @@ static void print_place(const struct printing *p, const char *key, zr_dvec3 at)
         zr_print_doubles(p->print, key, far, 3);
     else
         zr_print_floats(p->print, key, out, 3);
+}
+
+/* Rounds to a power of ten that is at most `step`. */
+static double rounded(double value, double step)
+{
+    double per_unit = 1.0;
+    while (per_unit * step < 1.0 && per_unit < 1e30)
+        per_unit *= 10.0;
+    while (per_unit * step >= 10.0 && per_unit > 1e-30)
+        per_unit /= 10.0;
+    return floor(value * per_unit + 0.5) / per_unit;
 }
 
 /* Prints the offset of a plane. */
@@ -186,7 +201,9 @@ static void print_cylinder(const struct printing *p, const struct zr_bounding_cy
 
 static void print_symmetry(const struct printing *p, const struct zr_symmetry *symmetry)
 {
-    const zr_dvec3 center = symmetry->center;
+    const double step = SYMMETRY_STEP * p->size;
+    const zr_dvec3 center = {rounded(symmetry->center.x, step), rounded(symmetry->center.y, step),
+                             rounded(symmetry->center.z, step)};
     zr_print_begin(p->print, "symmetry", '{');
     zr_print_begin(p->print, "mirror", '[');
     for (uint32_t i = 0; i < symmetry->mirror_count; i++) {

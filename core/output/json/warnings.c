@@ -167,6 +167,10 @@ static void add_annotations(struct zr_arena *arena, const struct zr_frame *frame
         zr_warning_list_add(arena, w, "%" PRIu32 " mark%s %s: info.annotations.leftOut lists %s", count,
                             count == 1 ? "" : "s", texts[cause], count == 1 ? "it" : "them");
     }
+    const uint32_t boxed = annotations ? annotations->marks.boxed : 0;
+    if (boxed > 0)
+        zr_warning_list_add(arena, w, "annotate: %" PRIu32 " text%s characters that have no glyph: drawn as boxes", boxed,
+                            boxed == 1 ? " has" : "s have");
 }
 
 /* Counts the faces with a mask. */

@@ -347,7 +347,7 @@ TEST(arena_part_has_the_same_share_whatever_was_before)
 }
 
 /* Also if the arena fails within it. */
-TEST(arena_part_that_is_dropped_gives_its_blocks_to_what_comes_next)
+TEST(arena_step_gives_its_blocks_to_later_allocations)
 {
     struct zr_arena arena;
     zr_arena_init(&arena, (size_t)64 << 20);
@@ -355,23 +355,29 @@ TEST(arena_part_that_is_dropped_gives_its_blocks_to_what_comes_next)
     memset(kept, 7, 1000);
     const size_t used = arena.used, held = arena.held;
     for (int i = 0; i < 5; i++) {
-        const struct zr_arena_part part = zr_arena_open_part(&arena, arena.unit);
+        const struct zr_arena_step step = zr_arena_open_step(&arena);
         for (int k = 0; k < 3; k++)
             memset(zr_arena_alloc(&arena, 11 << 20, 1), i, 11 << 20);
-        const struct zr_arena_part inner = zr_arena_open_part(&arena, arena.unit);
+        const struct zr_arena_step inner = zr_arena_open_step(&arena);
         memset(zr_arena_alloc(&arena, 8 << 20, 1), 9, 8 << 20);
-        zr_arena_drop_part(&arena, &inner);
-        zr_arena_drop_part(&arena, &part);
+        zr_arena_close_step(&arena, &inner);
+        zr_arena_close_step(&arena, &step);
         assert_int_equal(arena.used, used);
         assert_int_equal(arena.held, held);
         assert_true(zr_arena_bytes(&arena) < 48 << 20); /* the blocks of the first round */
         assert_true(arena.most >= 41 << 20 && arena.most < 48 << 20);
     }
+    const struct zr_arena_step small = zr_arena_open_step(&arena); /* goes on in the block of `kept` */
+    unsigned char *beside = zr_arena_alloc(&arena, 64, 1);
+    assert_true(beside > kept && beside < kept + 2000);
+    zr_arena_trim(&arena, beside, 64, 0, 1);
+    assert_ptr_equal(zr_arena_alloc(&arena, 64, 1), beside);
+    zr_arena_close_step(&arena, &small);
     memset(zr_arena_alloc(&arena, 50 << 20, 1), 1, 50 << 20); /* the spare blocks are not in its way */
     assert_true(kept[0] == 7 && kept[999] == 7);
-    const struct zr_arena_part part = zr_arena_open_part(&arena, arena.unit);
+    const struct zr_arena_step step = zr_arena_open_step(&arena);
     assert_null(zr_arena_alloc(&arena, 20 << 20, 1));
-    zr_arena_drop_part(&arena, &part);
+    zr_arena_close_step(&arena, &step);
     assert_false(zr_arena_ok(&arena));
     assert_true(arena.wanted > 70 << 20);
     zr_arena_free(&arena);

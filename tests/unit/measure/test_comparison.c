@@ -23,6 +23,11 @@ static enum zr_status compare(struct zr_arena *in, struct zr_team *team, const s
     return status == ZR_OK ? zr_comparison_json_write(&comparison, a, b, out) : status;
 }
 
+static bool holds(const struct zr_buffer *out, const char *text)
+{
+    return memmem(out->bytes, out->size, text, strlen(text)) != NULL;
+}
+
 static const struct zr_scene *torus(int slot, double radius)
 {
     const struct model m = model_torus(&arena, radius, 0.4, 40, 24);
@@ -39,6 +44,7 @@ TEST_AROUND(each_amount_of_memory_gives_the_answer_or_a_status, open_arena, clos
         zr_arena_init(&own, ceiling);
         const enum zr_status status = compare(&own, NULL, a, b, &out);
         if (status != ZR_OK) assert_int_equal(status, ZR_NO_MEMORY);
+        if (status == ZR_OK) assert_true(holds(&out, "\"features\":") != holds(&out, "holes are left out"));
         refused += status != ZR_OK;
         made += status == ZR_OK;
         zr_arena_free(&own);

@@ -381,6 +381,17 @@ TEST(holes_that_were_not_searched_are_listed_and_warned_of)
     reading_free(reading);
 }
 
+TEST(letters_without_a_glyph_are_warned_of)
+{
+    struct reading *reading = read_scene(
+        "{\"window\": {\"width\": 320, \"height\": 240}, \"annotate\": [\"labels\"], \"meshes\": [{\"name\": "
+        "\"\u65e5\u672c\", \"shape\": {\"type\": \"box\", \"size\": [4, 1, 3]}}, {\"name\": \"Stra\u00dfe\", "
+        "\"shape\": {\"type\": \"box\", \"size\": [1, 4, 1]}}]}");
+    assert_string_equal(scene_encode(&reading->arena, NULL, reading->scene).warnings,
+                        "annotate: 1 text has characters that have no glyph: drawn as boxes");
+    reading_free(reading);
+}
+
 TEST(lengths_have_four_digits_that_count)
 {
     static const struct {

@@ -22,9 +22,9 @@ static void work(struct queue_job *job, struct zr_arena *arena)
     struct task *task = (struct task *)(void *)job;
     task->had_memory = arena->spare_bytes;
     zr_arena_alloc(arena, LITTLE, 1);
-    const struct zr_arena_part pass = zr_arena_open_part(arena, arena->unit);
+    const struct zr_arena_step pass = zr_arena_open_step(arena);
     zr_arena_alloc(arena, PASS, 1);
-    zr_arena_drop_part(arena, &pass);
+    zr_arena_close_step(arena, &pass);
     sem_post(&task->begun);
     sem_wait(&task->may_end);
 }

@@ -1,0 +1,43 @@
+#!/bin/sh
+# page.sh WORK ENGINE SERVER: joins the page of server/page/ and the list of formats as WORK/page, and writes its policy as WORK/policy, with the
+# hashes of its script and style. ENGINE, SERVER: true or false, whether the page has the folder engine/, and a daemon. Runs in the root of
+# the repository.
+set -eu
+work=$1 engine=$2 server=$3
+page=server/page
+mkdir -p "$work"
+
+# The hash as a policy names it: base64 of the 32 bytes.
+policy_hash() { # FILE
+    sha256sum <"$1" | awk '
+        function digit(c) { return index("0123456789abcdef", c) - 1 }
+        {
+            letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+            hex = substr($1, 1, 64) "00"
+            for (i = 1; i <= 66; i += 3) {
+                bits = digit(substr(hex, i, 1)) * 256 + digit(substr(hex, i + 1, 1)) * 16 + digit(substr(hex, i + 2, 1))
+                text = text substr(letters, int(bits / 64) + 1, 1) substr(letters, bits % 64 + 1, 1)
+            }
+            print substr(text, 1, 43) "="
+        }'
+}
+
+# A policy has the hash of the text between the tags, line ends included. The rows' enums of C are left out.
+{ echo "'use strict'; const PLACE = {engine: $engine, server: $server};" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d' && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt); } >"$work/script"
+sed 's/^ *//' $page/colors.css $page/page.css >"$work/style"
+awk -v script="$work/script" -v style="$work/style" '
+    function put(tag, file, line) {
+        printf "<%s>", tag
+        while ((getline line <file) > 0) print line
+        printf "</%s>\n", tag
+    }
+    /<!-- style -->/ { put("style", style); next }
+    /<!-- script -->/ { put("script", script); next }
+    { sub(/^ */, ""); print }' $page/index.html >"$work/page"
+
+# The engine's modules are imported, compiled and run in Workers.
+of_engine=
+[ "$engine" = false ] || of_engine=" 'self' 'wasm-unsafe-eval'"
+printf '%s' "default-src 'none'; script-src 'sha256-$(policy_hash "$work/script")'$of_engine; style-src 'sha256-$(policy_hash "$work/style")'; \
+img-src data: blob:; connect-src 'self'; ${of_engine:+worker-src 'self'; }base-uri 'none'; form-action 'none'; \
+require-trusted-types-for 'script'" >"$work/policy"

@@ -1,0 +1,164 @@
+// test_site.js BUILD [TEST...]: the page of BUILD/site, which draws by itself, from a server of files. Prints TAP; pictures land in
+// BUILD/page-test/shots/BROWSER.
+'use strict';
+const fs = require('fs');
+const path = require('path');
+const zlib = require('zlib');
+const { build, work, check, folder, open, drawn, redrawn, orbit, violations, run, shot, main } = require('./browser.js');
+
+const site = path.join(build, 'site');
+const given = (name) => [path.join(process.env.DATA || '', name)].filter((file) => process.env.DATA && fs.existsSync(file));
+const BUNNY = 'models/stanford-bunny.obj';
+let address = '';
+const quiet = (page) => page.waitForFunction(() => !isPumping && !motion.is && !pending);
+
+// Where the picture on the page differs from that of a file, in pixels; of other sizes: -1.
+const difference = (page, bytes) => page.evaluate(async (base64) => {
+  const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))])), canvas = byId('picture');
+  if (bitmap.width !== canvas.width || bitmap.height !== canvas.height) return -1;
+  const other = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+  other.drawImage(bitmap, 0, 0);
+  const [a, b] = [canvas.getContext('2d'), other].map((context) => new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer));
+  return a.reduce((sum, value, i) => sum + (value !== b[i]), 0);
+}, bytes.toString('base64'));
+
+// Each example, or a text, drawn by the page and by the command that the page copies.
+async function compareWithCommand(page, name) {
+  await page.click('#copy');
+  await page.click('#copy-command');
+  const text = await page.textContent('#copied');
+  await page.click('#copy-dialog .close');
+  const { bytes, error } = run(name, text);
+  check(`${name}: the pixels of the copied command`, bytes.length > 0 && await difference(page, bytes) === 0, error);
+}
+
+const tests = {
+  async start(browser) {
+    const page = await open(browser, address, { viewport: { width: 1440, height: 900 } });
+    await drawn(page);
+    await page.waitForFunction(() => drawnLooks !== '', null, { timeout: 60000 });
+    check('opened: no message, no report of the policy, no request to elsewhere', page.faults.length === 0, page.faults);
+    check('the page does not scroll at 1440 x 900', await page.evaluate(() => document.documentElement.scrollHeight <= innerHeight + 1),
+      await page.evaluate(() => [document.documentElement.scrollHeight, innerHeight]));
+    check('a sentence tells of zraster', /draws/i.test(await page.textContent('#about')));
+    await shot(page, 'site-1440-light');
+    check('axe finds nothing', (await violations(page)).length === 0, await violations(page));
+    for (const [name, options] of [['site-1440-dark', { viewport: { width: 1440, height: 900 }, colorScheme: 'dark' }], ['site-390', { viewport: { width: 390, height: 844 } }]]) {
+      const other = await open(browser, address, options);
+      await drawn(other);
+      await quiet(other);
+      await shot(other, name);
+    }
+  },
+
+  async examples(browser) {
+    const page = await open(browser, address);
+    await drawn(page);
+    const names = await page.$$eval('#example option', (options) => options.map((option) => option.value).filter(Boolean));
+    check('the examples are listed', names.length >= 12, names);
+    for (const name of names) {
+      if (name !== await page.inputValue('#example')) await redrawn(page, () => page.selectOption('#example', name));
+      await quiet(page);
+      check(`example ${name}: drawn without a complaint`, await page.isHidden('#note') && await page.isHidden('#faults'), await page.textContent('#note'));
+      if (!await page.evaluate(() => isMovie())) await compareWithCommand(page, name);
+    }
+    check('examples: nothing in the console', page.faults.length === 0, page.faults);
+  },
+
+  async tabs(browser) {
+    const page = await open(browser, address);
+    await drawn(page);
+    await page.click('#tab-channels');
+    await page.waitForFunction(() => byId('channel-cards').querySelectorAll('canvas').length === 4 && !document.querySelector('#channel-cards canvas.failed'));
+    await page.click('#tab-algorithms');
+    await page.waitForFunction(() => /\d/.test(byId('algorithm-rows').textContent), null, { timeout: 60000 });
+    await page.mouse.click(400, 300);
+    await page.waitForFunction(() => /Pixel/.test(byId('pixel-text').textContent));
+    await page.click('#tab-lesson');
+    await redrawn(page, () => page.click('#lesson-scenes button'));
+    await page.waitForFunction(() => !byId('lesson-body').hidden, null, { timeout: 20000 });
+    check('channels, algorithms, a pixel and the lesson are there', true);
+    await page.click('#tab-scene');
+    await page.fill('#text', '{"look": "studio", ');
+    await page.waitForFunction(() => !byId('faults').hidden);
+    check('broken JSON is refused with its place', /column|line|byte|expected|end/i.test(await page.textContent('#faults')), await page.textContent('#faults'));
+    await page.fill('#text', '{"look": "studi", "meshes": []}');
+    await page.waitForFunction(() => /look/.test(byId('faults').textContent));
+    check('a wrong value is refused with its place', /studio/.test(await page.textContent('#faults')), await page.textContent('#faults'));
+    check('tabs: nothing in the console', page.faults.length === 0, page.faults);
+  },
+
+  async drop(browser) {
+    const models = [BUNNY, 'models/spot.obj', 'hunt2/files/16-khr-meshopt.glb'].flatMap(given);
+    if (!models.length) console.log('# SKIPPED: no models to drop; DATA=DIR has none');
+    const page = await open(browser, address);
+    await drawn(page);
+    for (const file of models) {
+      fs.mkdirSync(path.join(work, path.basename(file)), { recursive: true });
+      fs.copyFileSync(file, path.join(work, path.basename(file), path.basename(file)));
+      await redrawn(page, () => page.setInputFiles('#file', file));
+      await quiet(page);
+      await compareWithCommand(page, path.basename(file));
+    }
+    check('dropped: nothing in the console', page.faults.length === 0, page.faults);
+  },
+
+  async speed(browser) {
+    const [file] = given(BUNNY);
+    if (!file) {
+      console.log(`# SKIPPED: no model to orbit; DATA=DIR has no ${BUNNY}`);
+      return;
+    }
+    const page = await open(browser, address);
+    await drawn(page);
+    await redrawn(page, () => page.setInputFiles('#file', file));
+    await redrawn(page, () => page.evaluate(() => setKeys({ look: 'textbook', window: { width: 640, height: 480 } })));
+    await orbit(page, 1500);
+    const frames = await orbit(page, 3000);
+    console.log(`# orbit of the bunny at 640 x 480 in textbook: ${(frames / 3).toFixed(1)} pictures a second; step ${await page.evaluate(() => motion.step)}`);
+    check('the picture moves', frames > 10, frames);
+  },
+
+  async offline(browser) {
+    const page = await open(browser, address);
+    await drawn(page);
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    await page.waitForFunction(async () => (await caches.keys()).length === 1);
+    await page.context().setOffline(true);
+    await page.reload();
+    await drawn(page);
+    await redrawn(page, () => page.check('input[value=clay]'));
+    await redrawn(page, () => page.selectOption('#example', 'pawns'));
+    check('without a network: opened, drawn, another look, another example', await page.isHidden('#note'), await page.textContent('#note'));
+    await page.context().setOffline(false);
+  },
+
+  async manual(browser) {
+    const page = await open(browser, address);
+    const dead = [], seen = new Set(), links = [address + '/docs/index.html'];
+    while (links.length) {
+      const link = links.pop().replace(/#.*/, '');
+      if (seen.has(link) || !link.startsWith(address)) continue;
+      seen.add(link);
+      const response = await page.request.get(link);
+      if (!response.ok()) dead.push(link);
+      if (!/text\/html/.test(response.headers()['content-type'] || '')) continue;
+      for (const [, href] of (await response.text()).matchAll(/(?:href|src)="([^"]*)"/g))
+        if (!/^(data|mailto):|&hellip;|…/.test(href)) links.push(new URL(href.replace(/&amp;/g, '&'), link).href);
+    }
+    check(`the manual has no dead link among ${seen.size}`, dead.length === 0 && seen.size > 80, dead);
+  },
+
+  async sizes() {
+    const packed = (names) => names.reduce((sum, name) => sum + zlib.gzipSync(fs.readFileSync(path.join(site, name)), { level: 9 }).length, 0);
+    const engine = fs.readdirSync(path.join(site, 'engine')).filter((name) => name.endsWith('.mjs')).map((name) => 'engine/' + name);
+    const module = packed(['engine/zraster.wasm']), beside = packed(['index.html', 'offline.js', ...engine]);
+    console.log(`# gzipped: module ${module} bytes, page beside it ${beside} bytes`);
+    check('the page beside the module has at most 40 kB', beside <= 40000, beside);
+  },
+};
+
+(async () => {
+  address = await folder(site);
+  main(tests);
+})();
