@@ -203,8 +203,9 @@ static bool count(const struct zr_run *run, struct making *m, uint32_t rays)
         sum += atomic_load_explicit(&m->ends[i], memory_order_relaxed);
         atomic_store_explicit(&m->ends[i], (uint32_t)sum, memory_order_relaxed);
     }
-    if (sum > UINT32_MAX || 2 * zr_arena_block_bytes(sum * sizeof *m->crossings) > zr_arena_left(run->arena))
-        return false;
+    const size_t half = zr_arena_left(run->arena) / 2; /* sizes may have 32 bits */
+    if (sum > UINT32_MAX || sum > half / sizeof *m->crossings) return false;
+    if (zr_arena_block_bytes((size_t)sum * sizeof *m->crossings) > half) return false;
     m->crossings = zr_arena_alloc(run->arena, sum, sizeof *m->crossings);
     return m->crossings;
 }

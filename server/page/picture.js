@@ -1,6 +1,7 @@
 // The picture: one request in flight; rough while it moves, whole at rest.
 
 const REST_MS = 160;
+const SLOW_MS = PLACE.server ? 45 : 22, FAST_MS = PLACE.server ? 18 : 13; // of a rough picture: the next is smaller, or larger
 const STEPS = [
   { samples: 4, scale: 1 },
   { samples: 1, scale: 1 },
@@ -8,7 +9,7 @@ const STEPS = [
   { samples: 1, scale: 0.75, plain: true },
   { samples: 1, scale: 0.5, plain: true },
 ];
-const motion = { is: false, step: 1, mean: 30, timer: 0, waiting: false, frames: 0 };
+const motion = { is: false, step: 1, mean: (SLOW_MS + FAST_MS) / 2, timer: 0, waiting: false, frames: 0 };
 let isFirst = true; // the first picture is a rough one, which is there sooner
 let pending = null, isPumping = false, whole = null, idle = new AbortController();
 
@@ -17,7 +18,7 @@ function pictureSize() {
   const given = state.scene.window;
   if (given && given.width > 0 && given.height > 0) return { width: given.width, height: given.height, isGiven: true };
   const room = byId('stage').clientWidth;
-  const high = Math.max(220, Math.min(room * 0.75, Math.max(300, innerHeight - 262)));
+  const high = Math.max(220, Math.min(room * 0.75, Math.max(300, innerHeight - 270)));
   const density = Math.min(devicePixelRatio || 1, 1600 / room);
   return { width: Math.round(room * density), height: Math.round(high * density) };
 }
@@ -51,12 +52,12 @@ function roughKeys() {
 // Chooses the step of the next rough picture: without occlusion first, then smaller, if much of the time is drawing.
 function adapt(answer) {
   motion.mean += 0.3 * (answer.ms - motion.mean);
-  if (motion.mean > 45 && answer.drawn > answer.ms / 4 && motion.step < STEPS.length - 1) {
+  if (motion.mean > SLOW_MS && answer.drawn > answer.ms / 4 && motion.step < STEPS.length - 1) {
     motion.step++;
-    motion.mean = 30;
-  } else if (motion.mean < 18 && motion.step > 0) {
+    motion.mean = (SLOW_MS + FAST_MS) / 2;
+  } else if (motion.mean < FAST_MS && motion.step > 0) {
     motion.step--;
-    motion.mean = 30;
+    motion.mean = (SLOW_MS + FAST_MS) / 2;
   }
 }
 
@@ -157,7 +158,7 @@ async function show({ blob, image }) {
 
 function fitStage() {
   const { width, height } = pictureSize(), room = byId('stage').clientWidth;
-  const scale = Math.min(room / width, Math.max(300, innerHeight - 262) / height);
+  const scale = Math.min(room / width, Math.max(300, innerHeight - 270) / height);
   byId('frame').style.width = Math.floor(width * scale) + 'px';
   byId('frame').style.aspectRatio = `${width} / ${height}`;
 }

@@ -2,7 +2,6 @@
 'use strict';
 const { spawn, spawnSync } = require('child_process');
 const fs = require('fs');
-const http = require('http');
 const os = require('os');
 const path = require('path');
 
@@ -30,7 +29,7 @@ function check(name, isRight, found = '') {
   if (!isRight) console.error(`  ${name}: ${typeof found === 'string' ? found : JSON.stringify(found)}`);
 }
 
-const daemons = [], servers = [];
+const daemons = [];
 
 // Starts a daemon and returns its address.
 function daemon(...flags) {
@@ -43,21 +42,13 @@ function daemon(...flags) {
 
 const SHOT_STYLE = 'YjaKGiklmzC6wjXA513HAMmzus8VE61XCOT+SmwNZWA='; // the hash of "body {}"
 
-const TYPES = { html: 'text/html', js: 'text/javascript', mjs: 'text/javascript', wasm: 'application/wasm', css: 'text/css', png: 'image/png' };
-
-// Serves the files of a folder as any server of files does, and returns its address.
+// Serves the files of a folder by Python's server, which knows nothing of the page, and returns its address.
 function folder(root) {
-  const server = http.createServer((request, response) => {
-    const name = decodeURIComponent(new URL(request.url, 'http://site').pathname), file = path.join(root, name.endsWith('/') ? name + 'index.html' : name);
-    if (!file.startsWith(root) || !fs.existsSync(file) || fs.statSync(file).isDirectory()) {
-      response.writeHead(404).end();
-      return;
-    }
-    const type = TYPES[path.extname(file).slice(1)];
-    response.writeHead(200, type ? { 'Content-Type': type } : {}).end(fs.readFileSync(file));
+  return new Promise((done) => {
+    const child = spawn(process.env.PYTHON || '/usr/bin/python3', ['-u', '-m', 'http.server', '--bind', '127.0.0.1', '--directory', root, '0'], { stdio: ['ignore', 'pipe', 'ignore'] });
+    daemons.push(child);
+    child.stdout.once('data', (text) => done(/http:\/\/[\d.:]+/.exec(String(text))[0]));
   });
-  servers.push(server);
-  return new Promise((done) => server.listen(0, '127.0.0.1', () => done(`http://127.0.0.1:${server.address().port}`)));
 }
 
 // Opens a page. `page.faults` are messages of the console, reports of the policy, and requests to elsewhere.
@@ -190,7 +181,6 @@ async function main(tests) {
     }
   } finally {
     for (const child of daemons) child.kill();
-    for (const server of servers) server.close();
     fs.rmSync(work, { recursive: true, force: true });
   }
   console.log(`1..${count}`);

@@ -54,11 +54,11 @@ site: ## the page as a folder for any server of files: it draws by itself, also 
 
 .PHONY: site-test
 site-test: ## build/site in chromium and firefox-esr: pictures as by the command, a dropped model, an orbit, no network, sizes; SKIP_BUILD=1
-	@.ci/need $(NEED_WASM_TEST) $(NEED_COMMAND) chromium=chromium 'firefox-esr=firefox-esr?'
+	@.ci/need $(NEED_WASM_TEST) $(NEED_COMMAND) $(PYTHON)=python3 curl=curl chromium=chromium 'firefox-esr=firefox-esr?'
 	@[ -n "$(SKIP_BUILD)" ] || $(MAKE) -s site
 	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
 	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/page-test $(PAGE_PACKAGES)
-	@BROWSERS="$(BROWSERS)" DATA="$(DATA)" node tests/page/test_site.js $(BUILD) $(ONLY)
+	@PYTHON="$(PYTHON)" BROWSERS="$(BROWSERS)" DATA="$(DATA)" node tests/page/test_site.js $(BUILD) $(ONLY)
 
 .PHONY: npm
 npm: ## the package zraster for npm: build/npm/zraster-*.tgz
@@ -105,7 +105,8 @@ wasm_core := $(filter-out $(BUILD)/core/api/spare_memory.o $(BUILD)/core/api/con
 $(BUILD)/clients/web/module/runtime.o: OURS += -mexception-handling
 
 paren := (
-wasm_exports := malloc free $(shell sed -n 's/^ZRASTER_API .*\b\(zraster_[a-z_]*\)$(paren).*/\1/p' core/api/zraster.h)
+# zraster.mjs has no technical drawings.
+wasm_exports := malloc free $(shell sed -n '/zraster_drawing_/d; s/^ZRASTER_API .*\b\(zraster_[a-z_]*\)$(paren).*/\1/p' core/api/zraster.h)
 # The stack comes first, so that one that overflows traps. The memory is its caller's, with a maximum.
 WASM_LINK := -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,-z,stack-size=4194304 -Wl,--stack-first -Wl,--import-memory -Wl,--initial-memory=8388608 \
 	-Wl,--max-memory=4294967296

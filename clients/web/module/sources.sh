@@ -63,7 +63,6 @@ cat >include/jconfig.h <<END
 #define JPEG_LIB_VERSION 62
 #define LIBJPEG_TURBO_VERSION $version
 #define LIBJPEG_TURBO_VERSION_NUMBER $(echo "$version" | awk -F. '{ printf "%d%03d%03d", $1, $2, $3 }')
-#define C_ARITH_CODING_SUPPORTED 1
 #define D_ARITH_CODING_SUPPORTED 1
 #define MEM_SRCDST_SUPPORTED 1
 #define BITS_IN_JSAMPLE 8
@@ -77,6 +76,8 @@ cat >include/jconfigint.h <<END
 #define SIZEOF_SIZE_T 4
 #define FALLTHROUGH __attribute__((fallthrough));
 END
+# All kinds of JPEG are decoded, and one is encoded.
+sed -i -E '/^#define (DCT_IFAST|DCT_FLOAT|C_PROGRESSIVE|INPUT_SMOOTHING|IDCT_SCALING|UPSAMPLE_MERGING|QUANT_1PASS|QUANT_2PASS)_SUPPORTED/d' jpeg/jmorecfg.h
 sed 's/@COPYRIGHT_YEAR@/2023/' jpeg/jversion.h.in >include/jversion.h
 mv apt/versions versions
 rm -rf apt

@@ -12,8 +12,8 @@ export LC_ALL=C
 server/page/page.sh "$work" true false
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
-# The renderer, without what Node alone needs.
-for file in browser errors options worker worker_thread zraster; do cp "$package/$file.mjs" "$out/engine"; done
+# The renderer's scripts, without comments of a line, and without those of Node.
+for file in browser errors options worker worker_thread zraster; do sed '/^ *\/\*.*\*\/$/d; s/^ *//' "$package/$file.mjs" >"$out/engine/$file.mjs"; done
 cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt" "$out/engine"
 
 # Lists and files by the addresses of the daemon.
