@@ -285,8 +285,9 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, uint64_t count, uint64_t 
 void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new_count, size_t size)
 {
     const size_t taken = rounded_up(count * size, ZR_ARENA_ALIGN), kept = rounded_up(new_count * size, ZR_ARENA_ALIGN);
+    if (!array) return;
     const char *end = (const char *)array + taken + GAP;
-    struct zr_arena_block *block = array ? arena->current : NULL; /* in a step, it is not among the others */
+    struct zr_arena_block *block = arena->current; /* in a step, it is not among the others */
     if (block && end != block_bytes(block) + block->used)
         for (block = arena->first; block && end != block_bytes(block) + block->used;)
             block = block->next;

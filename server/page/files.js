@@ -43,6 +43,7 @@ function listenForFiles() {
   });
 }
 
+// Opens an example. On a dark page the first one has the dark look.
 async function openExample(name) {
   try {
     const response = await call('v1/examples/' + encodeURIComponent(name));
@@ -50,7 +51,7 @@ async function openExample(name) {
     state.example = name;
     state.channel = 'color';
     state.pin = null;
-    setText(text);
+    setText(isFirst && matchMedia('(prefers-color-scheme: dark)').matches ? withKeys(text, { look: 'dark' }) : text);
     refresh(isFirst && !isSeveral());
   } catch (error) {
     showErrors(error);
