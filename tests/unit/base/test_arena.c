@@ -371,7 +371,8 @@ TEST(arena_step_gives_its_blocks_to_later_allocations)
     unsigned char *beside = zr_arena_alloc(&arena, 64, 1);
     assert_true(beside > kept && beside < kept + 2000);
     zr_arena_trim(&arena, beside, 64, 0, 1);
-    assert_ptr_equal(zr_arena_alloc(&arena, 64, 1), beside);
+    assert_int_equal(arena.used, used);
+    zr_arena_trim(&arena, NULL, 64, 0, 1);
     zr_arena_close_step(&arena, &small);
     memset(zr_arena_alloc(&arena, 50 << 20, 1), 1, 50 << 20); /* the spare blocks are not in its way */
     assert_true(kept[0] == 7 && kept[999] == 7);
