@@ -22,6 +22,18 @@ static const char *const models[] = {
     "{\"type\": \"box\", \"size\": [1e-4, 2e-4, 3e-4]}",
     "{\"type\": \"box\", \"size\": [12345, 23456, 3456]}",
     "{\"type\": \"cylinder\", \"radius\": 1, \"height\": 1, \"segments\": 6}",
+    "{\"type\": \"extrusion\", \"points\": [[0, 0], [40, 0], [40, 8], [8, 8], [8, 25], [0, 25]], \"height\": 12}",
+    "{\"type\": \"extrusion\", \"points\": [[0, 0], [9, 0], [9, 9], [6, 9], [6, 3], [3, 3], [3, 9], [0, 9]], \"height\": 60}",
+    "{\"type\": \"extrusion\", \"points\": [[0, 0], [1, 0], [0, 1]], \"height\": 0.05}",
+    "{\"type\": \"box\", \"size\": [1, 1, 1]}",
+    "{\"type\": \"box\", \"size\": [99.9, 100, 100.1]}",
+    "{\"type\": \"box\", \"size\": [0.5, 80, 0.5]}",
+    "{\"type\": \"sphere\", \"radius\": 4000}",
+    "{\"type\": \"cone\", \"radius\": 0.2, \"height\": 9}",
+    "{\"type\": \"torus\", \"radius\": 50, \"tube\": 1}",
+    "{\"type\": \"torus\", \"radius\": 3, \"tube\": 2.9}",
+    "{\"type\": \"cylinder\", \"radius\": 0.05, \"height\": 0.002}",
+    "{\"type\": \"cylinder\", \"radius\": 6, \"height\": 5, \"segments\": 3}",
 };
 enum { MODELS = sizeof models / sizeof *models };
 static const char *const presets[] = {"\"isometric\"", "\"front\"",
