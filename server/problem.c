@@ -182,6 +182,6 @@ void problem_timeout(struct answer *answer, uint64_t timeout_ms)
 {
     problem_answer(answer, 504,
                    "the work took longer than renderTimeoutMs, %" PRIu64
-                   " ms: fewer or smaller views, and fewer samples, take less",
+                   " ms: a smaller model, fewer or smaller views, and fewer samples take less",
                    timeout_ms);
 }

@@ -338,7 +338,7 @@ class Http(unittest.TestCase):
             message = {"name": "render", "arguments": {"scene": noise(), "views": [{"view": {"azimuthDegrees": i}} for i in range(8)], "width": 1568, "height": 1568, "look": "studio"}}
             _, answer = daemon.post({"jsonrpc": "2.0", "id": 1, "method": "tools/call", "params": message})
             words = answer["detail"] if "detail" in answer else texts(answer["result"])[0]  # by the step that it ends
-            self.assertEqual(words, "the work took longer than renderTimeoutMs, 20 ms: fewer or smaller views, and fewer samples, take less")
+            self.assertEqual(words, "the work took longer than renderTimeoutMs, 20 ms: a smaller model, fewer or smaller views, and fewer samples take less")
         finally:
             daemon.stop()
 
