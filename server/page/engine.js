@@ -64,7 +64,10 @@ function openEngine() {
     const [{ compile }, { load }] = await Promise.all(['browser', 'worker'].map((name) => import(new URL(`engine/${name}.mjs`, document.baseURI))));
     const module = await compile();
     [engine.rough, engine.whole] = (await Promise.all([load(module), load(module)])).map((z) => new Drawer(z));
-  })();
+  })().catch((error) => {
+    engine.opening = null;
+    throw error;
+  });
   return engine.opening;
 }
 
@@ -91,14 +94,15 @@ async function drawHere(text, changes, query, signal, isRough) {
   return answer;
 }
 
-// The same again while other requests end the Worker.
+// The same again, three times at most, while other requests end the Worker. After a fault of the module itself, another is opened.
 async function renderHere(text, changes, query, signal, isRough) {
-  for (;;) {
+  for (let tries = 1; ; tries++) {
     try {
       return await drawHere(text, changes, query, signal, isRough);
     } catch (error) {
+      if (error.status === 'internal' && engine.opening) await (isRough ? engine.rough : engine.whole).z.reopen();
       const isOfOther = (error.status === 'cancelled' || error.status === 'ended') && !signal?.aborted;
-      if (!isOfOther) throw refusalOf(error);
+      if (!isOfOther || tries > 3) throw refusalOf(error);
     }
   }
 }

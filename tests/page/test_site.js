@@ -105,6 +105,29 @@ const tests = {
     check('dropped: nothing in the console', page.faults.length === 0, page.faults);
   },
 
+  async faults(browser) {
+    const page = await open(browser, address);
+    await drawn(page);
+    await page.evaluate(() => {
+      const { picture } = engine.whole;
+      engine.whole.picture = () => {
+        engine.whole.picture = picture;
+        throw Object.assign(new Error('the module ended'), { status: 'internal' });
+      };
+      setKeys({ samples: 1 });
+    });
+    await page.waitForFunction(() => /the module ended/.test(byId('note').textContent));
+    await redrawn(page, () => page.evaluate(() => setKeys({ samples: 16 })));
+    check('after a fault of the module the next picture is drawn', await page.isHidden('#note'), await page.textContent('#note'));
+    const controllers = await page.evaluate(async () => {
+      const all = Array.from({ length: 6 }, () => new AbortController());
+      const results = Promise.allSettled(all.map(({ signal }, i) => render(state.text, { window: { width: 60 + i, height: 40 } }, '', signal)));
+      all.slice(0, 5).forEach((controller) => controller.abort());
+      return (await results).map(({ status }) => status);
+    });
+    check('requests that end leave the others', controllers[5] === 'fulfilled' && controllers.slice(0, 5).every((status) => status === 'rejected'), controllers);
+  },
+
   async speed(browser) {
     const [file] = given(BUNNY);
     if (!file) {
