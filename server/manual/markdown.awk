@@ -242,11 +242,25 @@ function begin_code(language) {
     end_table()
     end_paragraph()
     in_code = 1
-    code = ""
+    code = raw = ""
     code_class = language == "" ? "" : " class=\"language-" language "\""
+}
+# Percent-encodes a text for the part of an address behind "#" (RFC 3986).
+function encoded(s, i, c, out) {
+    out = ""
+    for (i = 1; i <= length(s); i++) {
+        c = substr(s, i, 1)
+        out = out (c ~ /[A-Za-z0-9_.~:,-]/ ? c : sprintf("%%%02X", byte_of[c]))
+    }
+    return out
+}
+# True for a whole scene that refers to no files.
+function is_scene(s) {
+    return code_class ~ /json/ && s ~ /^[{]/ && s ~ /"(meshes|polygons)"/ && s !~ /"(asset|uri)"|"render": *false|\.\.\.|…/
 }
 function end_code() {
     put("<pre tabindex=\"0\"><code" code_class ">" code "</code></pre>")
+    if (is_scene(raw)) put("<p class=\"open\"><a href=\"" relative("../") "#" encoded(raw) "\">Draw and change it in the browser</a></p>")
     in_code = 0
 }
 function heading(line, level, text) {
@@ -280,7 +294,10 @@ function take(line, column) {
     if (in_code == 1) { # fenced
         for (column = 0; column < fence && line ~ /^ /; column++) line = substr(line, 2)
         if (line ~ /^ *```+ *$/) end_code()
-        else code = code (code == "" ? "" : "\n") escape(line)
+        else {
+            code = code (code == "" ? "" : "\n") escape(line)
+            raw = raw line "\n"
+        }
         return
     }
     if (in_code == 2) { # indented
@@ -400,6 +417,7 @@ function make_page(i, line) {
     close(file)
 }
 BEGIN {
+    for (number = 1; number < 256; number++) byte_of[sprintf("%c", number)] = number
     printf "" >pictures
     while ((getline line <"server/page/index.html") > 0)
         if (line ~ /<link rel="icon"/) icon = trim(line)

@@ -1,4 +1,4 @@
-// A link that holds the scene: '#' and the text, deflated, in base64url.
+// A link that holds the scene: '#' and the text, deflated, in base64url; in the manual, percent-encoded.
 
 const LINK_MOST = 32768;
 
@@ -19,6 +19,7 @@ async function textOfLink() {
   const code = location.hash.slice(1);
   if (code.length < 8) return null;
   try {
+    if (code.startsWith('%7B')) return decodeURIComponent(code);
     const bytes = Uint8Array.from(atob(code.replace(/-/g, '+').replace(/_/g, '/')), (c) => c.charCodeAt(0));
     return new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')));
   } catch {

@@ -166,7 +166,7 @@ const tests = {
 
   async manual(browser) {
     const page = await open(browser, address);
-    const dead = [], seen = new Set(), links = [address + '/docs/index.html'];
+    const dead = [], scenes = [], seen = new Set(), links = [address + '/docs/index.html'];
     while (links.length) {
       const link = links.pop().replace(/#.*/, '');
       if (seen.has(link) || !link.startsWith(address)) continue;
@@ -175,8 +175,18 @@ const tests = {
       if (!response.ok()) dead.push(link);
       if (!/text\/html/.test(response.headers()['content-type'] || '')) continue;
       for (const [, href] of (await response.text()).matchAll(/(?:href|src)="([^"]*)"/g))
-        if (!/^(data|mailto):|&hellip;|…/.test(href)) links.push(new URL(href.replace(/&amp;/g, '&'), link).href);
+        if (href.includes('#%7B')) scenes.push(new URL(href, link).href);
+        else if (!/^(data|mailto):|&hellip;|…/.test(href)) links.push(new URL(href.replace(/&amp;/g, '&'), link).href);
     }
+    const refused = [];
+    for (const scene of scenes) {
+      const other = await open(browser, address, { hash: scene.slice(address.length) });
+      await drawn(other).catch(() => {});
+      await quiet(other);
+      if (await other.isVisible('#note') || await other.isVisible('#faults')) refused.push(`${decodeURIComponent(scene).slice(0, 200)}: ${await other.textContent('#note')}`);
+      await other.close();
+    }
+    check(`the page draws all ${scenes.length} scenes of the manual`, scenes.length > 10 && refused.length === 0, refused);
     check(`the manual has no dead link among ${seen.size}`, dead.length === 0 && seen.size > 80, dead);
   },
 
