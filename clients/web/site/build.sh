@@ -1,6 +1,6 @@
 #!/bin/sh
 # build.sh PACKAGE OUT: makes a folder for any server of files: the page of server/page/ with the renderer of the package in PACKAGE, examples,
-# manual, and what it takes to work without a network. Runs in the root of the repository.
+# manual, and a service worker for use without a network. Runs in the root of the repository.
 set -eu
 package=$1 out=$2
 work=$out.parts
@@ -12,7 +12,7 @@ export LC_ALL=C
 server/page/page.sh "$work" true false
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
-# The renderer's scripts, without comments of a line, and without those of Node.
+# The scripts of the renderer, without comments of a whole line and without scripts for Node.
 for file in browser errors options worker worker_thread zraster; do sed '/^ *\/\*.*\*\/$/d; s/^ *//' "$package/$file.mjs" >"$out/engine/$file.mjs"; done
 cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt" "$out/engine"
 
