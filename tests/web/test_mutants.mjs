@@ -30,10 +30,16 @@ function below(most) {
   return Math.floor((state / 2 ** 32) * most);
 }
 
+/* Digits of texts become others; one of eight changes is any character, and one of eight files is cut. */
 function mutant(bytes) {
-  const out = Uint8Array.from(bytes), digits = '0123456789-.,:[]{}"eE ';
+  const out = Uint8Array.from(bytes), characters = '0123456789-.,:[]{}"eE ';
   const isText = !out.subarray(0, 512).includes(0), most = out.length;
-  for (let i = 1 + below(4); i > 0; i--) out[below(most)] = isText ? digits.charCodeAt(below(digits.length)) : below(256);
+  for (let i = 1 + below(4); i > 0; i--) {
+    let at = below(most);
+    const isAny = below(8) === 0;
+    while (isText && !isAny && at < most && !(out[at] >= 48 && out[at] <= 57)) at++;
+    if (at < most) out[at] = !isText ? below(256) : characters.charCodeAt(below(isAny ? characters.length : 10));
+  }
   return below(8) === 0 ? out.subarray(0, below(most)) : out;
 }
 
