@@ -49,7 +49,7 @@ static bool read_operands(struct zr_json *json, const struct zr_json_path *path,
 /* ---- one operation ---- */
 
 struct given_operation {
-    const char *operands[3]; /* first bytes of the lists */
+    const char *operands[3]; /* first bytes of the lists; NULL: not given, or malformed */
 };
 
 #define AT(which) offsetof(struct given_operation, operands) + (which - 1) * sizeof(const char *)
@@ -76,9 +76,11 @@ static bool read_operation(struct zr_json *json, const struct zr_json_path *path
     uint64_t keys;
     if (node.depth == ZR_CSG_DEPTH_MAX)
         return zr_json_skip(json) && zr_json_fault(json, path, "nested deeper than %d operations", ZR_CSG_DEPTH_MAX);
-    if (!zr_json_fields(json, path, &zr_json_object_csg, &given, &keys) || json->error->count > faults) return false;
+    if (!zr_json_fields(json, path, &zr_json_object_csg, &given, &keys) || zr_json_stops(json) ||
+        json->error->count > faults)
+        return false;
     for (int op = ZR_CSG_UNION; op <= ZR_CSG_INTERSECTION; op++) {
-        if (!zr_json_gives(keys, op - 1)) continue;
+        if (!given.operands[op - 1]) continue;
         struct zr_json there = zr_json_at(json, given.operands[op - 1]);
         node.op = (enum zr_csg_op)op;
         node.depth++;
