@@ -80,8 +80,13 @@ class Manual(daemon.Case):
                     wanted.append((at, target, mark))
                     if target not in files and target not in waiting:
                         waiting.append(target)
+        scenes = [(target, mark) for _, target, mark in wanted if mark.startswith("%7B")]
+        self.assertGreater(len(scenes), 20)
+        for target, mark in scenes: # scenes, which the page opens
+            self.assertEqual(target, "/")
+            self.assertIsInstance(json.loads(urllib.parse.unquote(mark)), dict)
         for at, target, mark in wanted:
-            if mark:
+            if mark and not mark.startswith("%7B"):
                 self.assertIn(mark, pages[target].ids, f"{at}: {target}#{mark}")
         sources = [name for _, _, names in os.walk(f"{ROOT}/clients/docs") for name in names if name.endswith(".md")]
         self.assertGreaterEqual(len(pages), len(sources) + 4)

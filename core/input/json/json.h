@@ -155,6 +155,12 @@ static inline void zr_json_look(struct zr_json *json)
     json->look = json->at;
 }
 
+/* True if there is another fault than the `before` ones. A fault of syntax replaces all of them, and ends reading. */
+static inline bool zr_json_failed_since(const struct zr_json *json, size_t before)
+{
+    return json->ended || json->error->count != before;
+}
+
 /* True if reading must stop: a syntax error, ZR_ERROR_ITEMS faults, a failed arena or a cancelled request. */
 bool zr_json_stops(struct zr_json *json);
 

@@ -261,7 +261,7 @@ static void report(struct zr_json *json, const struct zr_json_path *path, const 
         else if (!(wanted->has_holes && value != value))
             zr_json_check_range(json, at, wanted->low, wanted->high, value);
     }
-    if (json->error->count == faults) zr_json_fault(json, path, "the array changed while it was read");
+    if (!zr_json_failed_since(json, faults)) zr_json_fault(json, path, "the array changed while it was read");
 }
 
 static bool read_parts(struct zr_json *json, const struct zr_json_path *path, struct reading *r)

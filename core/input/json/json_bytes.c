@@ -76,7 +76,7 @@ bool zr_parsed_read_asset(struct zr_json *json, const struct zr_json_path *path,
     struct given given = {{NULL, NULL}};
     uint64_t keys;
     const size_t faults = json->error->count;
-    return zr_json_fields(json, path, &zr_json_object_bytes, &given, &keys) && json->error->count == faults &&
+    return zr_json_fields(json, path, &zr_json_object_bytes, &given, &keys) && !zr_json_failed_since(json, faults) &&
            zr_arena_ok(json->arena) && find_named(json, path, &given.name, out);
 }
 

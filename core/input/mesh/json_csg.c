@@ -76,8 +76,7 @@ static bool read_operation(struct zr_json *json, const struct zr_json_path *path
     uint64_t keys;
     if (node.depth == ZR_CSG_DEPTH_MAX)
         return zr_json_skip(json) && zr_json_fault(json, path, "nested deeper than %d operations", ZR_CSG_DEPTH_MAX);
-    if (!zr_json_fields(json, path, &zr_json_object_csg, &given, &keys) || zr_json_stops(json) ||
-        json->error->count > faults)
+    if (!zr_json_fields(json, path, &zr_json_object_csg, &given, &keys) || zr_json_failed_since(json, faults))
         return false;
     for (int op = ZR_CSG_UNION; op <= ZR_CSG_INTERSECTION; op++) {
         if (!given.operands[op - 1]) continue;

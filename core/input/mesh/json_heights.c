@@ -150,9 +150,9 @@ static bool read_values(struct zr_json *json, const struct zr_json_path *path, v
     if (!good) return false;
     zr_growing_trim(&heights->values, json->arena);
     if (heights->rows < 2) zr_json_fault(json, path, "rows: %zu; a grid needs 2 or more", heights->rows);
-    if (json->error->count == faults && heights->values.count > POSITIONS_MAX)
+    if (!zr_json_failed_since(json, faults) && heights->values.count > POSITIONS_MAX)
         zr_json_fault(json, path, "more than the limit of %d values", (int)POSITIONS_MAX);
-    if (json->error->count > faults) heights->columns = 0;
+    if (zr_json_failed_since(json, faults)) heights->columns = 0;
     return heights->columns > 0;
 }
 

@@ -133,7 +133,7 @@ static bool check_file(struct zr_json *json, const struct zr_json_path *path, co
         zr_json_fault(json, ZR_JSON_KEY(path, "scalars"), "two kinds of colours: %s and scalars", file);
     else
         zr_scalars_check_none(json, path, &given->scalars);
-    return json->error->count == faults;
+    return !zr_json_failed_since(json, faults);
 }
 
 bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, void *out)
@@ -163,7 +163,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, void 
         const size_t faults = json->error->count;
         if (json->far) json->move = zr_far_move(json->far, list->count);
         if (zr_json_fields(json, at, &zr_json_object_mesh, &given, &given.keys) && has_file(&given) &&
-            check_file(json, at, &given) && json->error->count == faults)
+            check_file(json, at, &given) && !zr_json_failed_since(json, faults))
             given.model = zr_model_read(out, at, &given.file);
         struct zr_parsed_mesh *kept = zr_growing_next(list, json);
         if (!kept) return false;

@@ -193,7 +193,7 @@ static void read_polygon(struct zr_json *json, const struct zr_json_path *path, 
                has_normals = zr_json_gives(keys, NORMALS);
     if (polygon.holes && json->is_ahead)
         zr_json_give_up(json); /* rings need the count of all rings before, so one thread reads them */
-    if (json->error->count > faults || json->ended) {
+    if (zr_json_failed_since(json, faults)) {
         drop_vertices(&polygon);
         return;
     }

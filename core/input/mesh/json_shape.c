@@ -128,8 +128,7 @@ bool zr_read_shape(struct zr_json *json, const struct zr_json_path *path, void *
     struct zr_shape_desc shape = {.type = -1, .segments = 64};
     const size_t faults = json->error->count;
     uint64_t keys;
-    if (!zr_json_fields(json, path, &zr_json_object_shape, &shape, &keys) || zr_json_stops(json) ||
-        json->error->count > faults)
+    if (!zr_json_fields(json, path, &zr_json_object_shape, &shape, &keys) || zr_json_failed_since(json, faults))
         return false;
     if (shape.type == ZR_SHAPE_TORUS && !(shape.tube < shape.radius))
         return zr_json_fault(json, ZR_JSON_KEY(path, fields[TUBE].key), "%.9g; less than the radius, %.9g, is needed",

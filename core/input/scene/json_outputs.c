@@ -263,7 +263,7 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
     check_position(json, path, &given, output);
     check_pixel(json, path, keys, output);
     check_flow(json, path, keys, root, output);
-    if (json->error->count > faults) return false;
+    if (zr_json_failed_since(json, faults)) return false;
     if (output->channel == ZR_CHANNEL_FLOW) {
         root->flow = given.to;
         root->flow.output = number;

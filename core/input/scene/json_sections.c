@@ -68,7 +68,8 @@ static bool read_plane(struct zr_json *json, const struct zr_json_path *path, st
     const size_t faults = json->error->count;
     double *exact = given.point;
     uint64_t keys;
-    if (!zr_json_fields(json, path, &zr_json_object_plane, &given, &keys) || json->error->count > faults) return false;
+    if (!zr_json_fields(json, path, &zr_json_object_plane, &given, &keys) || zr_json_failed_since(json, faults))
+        return false;
     *out = (struct zr_section){
         .keep = (enum zr_section_keep)given.keep,
         .normal = {(double)given.normal.x, (double)given.normal.y, (double)given.normal.z},

@@ -136,7 +136,7 @@ static bool read_by(struct zr_json *json, const struct zr_json_path *path, const
     const size_t faults = json->error->count;
     *out = (struct zr_parsed_texture){
         .scale = {1, 1}, .strength = 1, .sampler = {1, ZR_FILTER_LINEAR_MIPMAP_LINEAR, 0, 0}};
-    out->is_given = zr_json_fields(json, path, object, out, &keys) && json->error->count == faults;
+    out->is_given = zr_json_fields(json, path, object, out, &keys) && !zr_json_failed_since(json, faults);
     return out->is_given;
 }
 
