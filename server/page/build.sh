@@ -8,7 +8,7 @@ rm -rf "$work"
 mkdir -p "$work"
 . server/site.sh
 
-server/page/page.sh "$work" false true
+server/page/page.sh "$work" true
 {
     echo "$work/page||NULL|NULL|text/html; charset=utf-8"
     server/page/examples.sh "$work" | awk -F '|' -v OFS='|' '

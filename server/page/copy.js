@@ -39,7 +39,7 @@ const COPIES = {
   json: () => copiedScene(),
 };
 
-let copyKind = PLACE.server ? 'curl' : 'command';
+let copyKind = HAS_DAEMON ? 'curl' : 'command';
 
 async function showCopy(kind) {
   copyKind = kind;
@@ -67,7 +67,7 @@ async function copyNow() {
 }
 
 function listenToCopy() {
-  if (!PLACE.server) byId('copy-curl').remove();
+  if (!HAS_DAEMON) byId('copy-curl').remove();
   byId('copy').onclick = () => {
     byId('copy-dialog').showModal();
     showCopy(copyKind);

@@ -134,7 +134,7 @@ function listenToText() {
 // Finds the place at which the JSON breaks.
 async function checkSyntax() {
   try {
-    if (!PLACE.server) await readHere(state.text || ' ');
+    if (!HAS_DAEMON) await readHere(state.text || ' ');
     else await call('v1/render?channel=info&render=false', { method: 'POST', body: state.text || ' ', headers: { 'Content-Type': 'application/json' } });
   } catch (error) {
     showErrors(error);

@@ -1,10 +1,9 @@
-// The renderer in this browser: the module in two Workers, one for rough pictures and one for all else. PLACE, by build.sh:
-// {engine, server}: which of both there are.
+// The renderer in this browser, for pages without a daemon: zraster.wasm in two Workers, one for rough pictures and one for all else.
 
 const engine = { opening: null, rough: null, whole: null };
 
 // No other scripts become Workers.
-if (PLACE.engine && window.trustedTypes) {
+if (window.trustedTypes) {
   const allowed = ['engine/worker_thread.mjs', 'offline.js'].map((name) => new URL(name, document.baseURI).href);
   const createScriptURL = (url) => {
     if (!allowed.includes(new URL(url, document.baseURI).href)) throw new TypeError('no script of this page: ' + url);

@@ -26,7 +26,7 @@ async function start() {
     }
   });
   const text = await textOfLink();
-  const lists = [call('v1/looks'), call(PLACE.server ? 'v1/examples' : 'v1/examples/index.json')].map(async (answer) => (await answer).json());
+  const lists = [call('v1/looks'), call(HAS_DAEMON ? 'v1/examples' : 'v1/examples/index.json')].map(async (answer) => (await answer).json());
   try {
     const first = text === null ? openExample('bearing') : null;
     const [looksList, examplesList] = await Promise.all(lists);
@@ -46,5 +46,5 @@ async function start() {
   }
 }
 
-if (!PLACE.server && 'serviceWorker' in navigator) navigator.serviceWorker.register('offline.js').catch(() => {});
+if (!HAS_DAEMON && 'serviceWorker' in navigator) navigator.serviceWorker.register('offline.js').catch(() => {});
 start();

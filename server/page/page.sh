@@ -1,9 +1,9 @@
 #!/bin/sh
-# page.sh WORK ENGINE SERVER: joins the page of server/page/ and the list of formats as WORK/page, and writes its policy as WORK/policy, with the
-# hashes of its script and style. ENGINE, SERVER: true or false, whether the page has the folder engine/, and a daemon. Runs in the root of
-# the repository.
+# page.sh WORK HAS_DAEMON: joins the page of server/page/ and the list of formats as WORK/page, and writes its policy as WORK/policy, with the
+# hashes of its script and style. HAS_DAEMON: true, or false for a page that draws by itself, by the folder engine/ beside it. Runs in the root
+# of the repository.
 set -eu
-work=$1 engine=$2 server=$3
+work=$1 has_daemon=$2
 page=server/page
 mkdir -p "$work"
 
@@ -22,8 +22,11 @@ policy_hash() { # FILE
         }'
 }
 
+left_out='^$'
+[ "$has_daemon" = false ] || left_out='/engine\.js$'
+
 # A policy has the hash of the text between the tags, line ends included. The rows' enums of C are left out.
-{ echo "'use strict'; const PLACE = {engine: $engine, server: $server};" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d' && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt); } >"$work/script"
+{ echo "'use strict'; const HAS_DAEMON = $has_daemon;" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d' && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt | grep -v "$left_out"); } >"$work/script"
 sed 's/^ *//' $page/colors.css $page/page.css >"$work/style"
 awk -v script="$work/script" -v style="$work/style" '
     function put(tag, file, line) {
@@ -37,7 +40,7 @@ awk -v script="$work/script" -v style="$work/style" '
 
 # The engine's modules are imported, compiled and run in Workers.
 of_engine=
-[ "$engine" = false ] || of_engine=" 'self' 'wasm-unsafe-eval'"
+[ "$has_daemon" = true ] || of_engine=" 'self' 'wasm-unsafe-eval'"
 printf '%s' "default-src 'none'; script-src 'sha256-$(policy_hash "$work/script")'$of_engine; style-src 'sha256-$(policy_hash "$work/style")'; \
 img-src data: blob:; connect-src 'self'; ${of_engine:+worker-src 'self'; }base-uri 'none'; form-action 'none'; \
 require-trusted-types-for 'script'" >"$work/policy"

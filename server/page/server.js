@@ -49,7 +49,7 @@ async function call(path, options = {}) {
       response = await fetch(path, { ...options, headers });
     } catch (error) {
       if (error.name === 'AbortError') throw error;
-      throw new Refusal(0, PLACE.server ? 'No answer. Is the daemon running?' : 'No answer. Is the network off?');
+      throw new Refusal(0, HAS_DAEMON ? 'No answer. Is the daemon running?' : 'No answer. Is the network off?');
     }
     if (response.ok) return response;
     if (response.status === 401) {
@@ -109,7 +109,7 @@ async function prepare(text) {
   await Promise.all(assets.map(({ name }) => name).filter((name) => !files.has(name)).map(find));
   const used = assets.map(({ name }) => files.get(name)).filter((file) => file && file.blob);
   const isTogether = used.some((file) => file.together);
-  const isStored = PLACE.server && server.keepsAssets && !isTogether;
+  const isStored = HAS_DAEMON && server.keepsAssets && !isTogether;
   if (isStored) await Promise.all([...new Set(used)].filter((file) => !file.sha256).map(upload));
   let parts = [];
   if (!isStored || !server.keepsAssets) {
@@ -133,7 +133,7 @@ function multipart(text, parts) {
 // Renders the text with other values at the top, such as {samples: 1}. Returns the bytes, times and warnings; of several
 // outputs the bytes of each: parts.get('depth').
 async function render(text, changes, query, signal, isRough = false) {
-  if (!PLACE.server) return renderHere(text, changes, query, signal, isRough);
+  if (!HAS_DAEMON) return renderHere(text, changes, query, signal, isRough);
   const { assets, parts: sent } = await prepare(text);
   const edits = sent.length ? [] : assets.filter(({ name }) => (files.get(name) || {}).sha256)
     .map(({ name, from, to }) => ({ from, to, text: `"sha256:${files.get(name).sha256}"` }));

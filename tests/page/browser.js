@@ -78,6 +78,21 @@ async function redrawn(page, act) {
   await drawn(page, before + 1);
 }
 
+const quiet = (page) => page.waitForFunction(() => !isPumping && !motion.is && !pending);
+
+// Opens each example in turn, which is drawn without a complaint, and does something with it.
+async function eachExample(page, act) {
+  const names = await page.$$eval('#example option', (options) => options.map((option) => option.value).filter(Boolean));
+  check('the examples are listed', names.length >= 12, names);
+  for (const name of names) {
+    await redrawn(page, () => page.selectOption('#example', name));
+    await quiet(page);
+    check(`example ${name}: drawn without a complaint`, await page.isHidden('#note') && await page.isHidden('#faults'), await page.textContent('#note'));
+    await act(name);
+  }
+  check('examples: nothing in the console', page.faults.length === 0, page.faults);
+}
+
 // Turns the picture by the pointer for some time. Returns the number of pictures that were drawn meanwhile.
 async function orbit(page, ms) {
   const before = await page.evaluate(() => motion.frames), began = Date.now();
@@ -187,4 +202,4 @@ async function main(tests) {
   process.exit(failed || !count ? 1 : 0);
 }
 
-module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, pictures, orbit, violations, saved, doubleClick, run, shot, main };
+module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, quiet, eachExample, pictures, orbit, violations, saved, doubleClick, run, shot, main };

@@ -1,4 +1,7 @@
 /* check.mjs - tests of clients/web: TAP, and pictures by their pixels. */
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { inflateSync } from 'node:zlib';
 
 let number = 0, failed = 0;
@@ -77,4 +80,24 @@ export function difference(a, b) {
     return [...p].map(([name, bytes]) => [name, difference(bytes, q.get(name))]).filter(([, text]) => text).map(x => x.join(': ')).join('; ');
   }
   return 'other bytes';
+}
+
+/** Draws a file by the module z and by the command of a build, and throws if pixels or faults differ. True: drawn; false: refused by both. */
+export function drawsAlike(z, build, file, options = {}, type) {
+  const words = [file, '-j', '1', '-o', '-', ...Object.entries(options).flatMap(([name, value]) => [`--${name}`, value])];
+  const { status, stdout, stderr } = spawnSync(join(build, 'zraster'), words, { maxBuffer: 2 ** 28 });
+  let got = null, fault = '';
+  try {
+    const picture = z.draw(readFileSync(file), { query: options, type });
+    got = picture.encode().bytes;
+    picture.free();
+  } catch (error) {
+    if (!error.status) throw error;
+    fault = error.message.split('\n')[0];
+  }
+  const isSame = got ? status === 0 : status !== 0 && String(stderr).includes(fault);
+  if (!isSame) throw new Error(`command: ${status === 0 ? 'drawn' : stderr}; module: ${got ? 'drawn' : fault}`);
+  const text = got ? difference(stdout, got) : '';
+  if (text) throw new Error(text);
+  return Boolean(got);
 }

@@ -1,43 +1,19 @@
 /* test_pixels.mjs BUILD MODULE: all scenes of tests/scenes, as they are and with other channels, and models in all looks, by the
  * module in Node and by the command: the same pixels. */
-import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../clients/web/zraster.mjs';
-import { difference, end, test } from './check.mjs';
+import { drawsAlike, end, test } from './check.mjs';
 
 const [build, module] = process.argv.slice(2);
 const z = await load(readFileSync(module));
 const models = join(process.env.ZRASTER_DATA ?? '../shared/data', 'models');
 const CHANNELS = 'color,depth,windowDepth,faceId,distance,instanceId,frontFacing,barycentrics,position,normals,texcoord';
 
-/* The command's answer, or its message. */
-function native(file, options) {
-  const words = [file, '-j', '1', '-o', '-', ...Object.entries(options).flatMap(([name, value]) => [`--${name}`, value])];
-  const { status, stdout, stderr } = spawnSync(join(build, 'zraster'), words, { maxBuffer: 2 ** 28 });
-  return status === 0 ? { bytes: stdout } : { fault: String(stderr) };
-}
-
 let refused = 0;
 
-function same(file, options = {}) {
-  const want = native(file, options);
-  let got;
-  try {
-    const picture = z.draw(readFileSync(file), { query: options });
-    got = { bytes: picture.encode().bytes };
-    picture.free();
-  } catch (error) {
-    if (!error.status) throw error;
-    got = { fault: error.message };
-  }
-  if (want.fault || got.fault) {
-    if (!want.fault || !got.fault || !want.fault.includes(got.fault.split('\n')[0])) throw new Error(`command: ${want.fault ?? 'drawn'}; module: ${got.fault ?? 'drawn'}`);
-    refused++;
-    return;
-  }
-  const text = difference(want.bytes, got.bytes);
-  if (text) throw new Error(text);
+function same(file, options) {
+  if (!drawsAlike(z, build, file, options)) refused++;
 }
 
 const folder = 'tests/scenes';
