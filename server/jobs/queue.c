@@ -8,7 +8,7 @@
 
 #include "clock.h"
 
-enum { STACK_BYTES = 3 << 20, ACCEPTED_PER_WORKER = 2, OVERSEER_TICK_MS = 20, NESTED_PARTS = 4 };
+enum { STACK_BYTES = 3 << 20, ACCEPTED_PER_WORKER = 2, OVERSEER_TICK_MS = 20, NESTED_STEPS = 4 };
 
 /* A longer job on a worker counts as large. A job on the express counts as small, since it delays small ones. */
 static const int64_t SMALL_US = QUEUE_EXPRESS_MS * INT64_C(1000);
@@ -279,7 +279,8 @@ static void reset_arena(struct worker *worker)
     size_t used = most_held > older ? most_held : older;
     if (used == 0) used = 1; /* a job ran: libraries may hold memory */
     worker->used = used;
-    const size_t keep = used + used / 2 + (size_t)NESTED_PARTS * ZR_ARENA_BLOCK;
+    /* Nested steps may each begin a block that holds little (base/arena.h). */
+    const size_t keep = used + used / 2 + (size_t)NESTED_STEPS * ZR_ARENA_BLOCK;
     const size_t most = worker->queue->options.keep_memory_bytes;
     zr_arena_reset(&worker->arena, keep < most ? keep : most);
 }
