@@ -564,6 +564,12 @@ bench-mcp: ## calls of /mcp beside the same pictures by /v1/render, in turns: RO
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
 	@$(PYTHON) tests/bench/mcp.py $(BUILD) $(or $(ROUNDS),41) $(DATA)/models/parts/gear.obj $(DATA)/models/parts/housing.obj $(DATA)/models/stanford-bunny.obj
 
+.PHONY: bench-solids
+bench-solids: ## the bunny minus three spheres beside the bunny alone, and its features: processor time of processes in turns: ROUNDS=15
+	@.ci/need $(NEED_BUILD) $(PYTHON)=python3
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster
+	@$(PYTHON) tests/bench/solids.py $(BUILD)/zraster $(DATA)/models/stanford-bunny.obj $(or $(ROUNDS),15)
+
 .PHONY: bench-compare
 bench-compare: ## two spheres of 65 024 triangles compared over HTTP, beside booleans of manifold-3d (npm), in turns: ROUNDS=9
 	@.ci/need $(NEED_BUILD) $(NEED_NODE)
