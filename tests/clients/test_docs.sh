@@ -261,9 +261,10 @@ all_links_lead() { # PAGE
 
 # ---- commands of make ----
 
+makefiles=$(cd "$root" && realpath Makefile $(sed -n 's/^include //p' Makefile))
 missing_targets() { # PAGE: the words behind make, in code, that are no targets
     sed -n '/^ *```/,/^ *```/p; s/.*`\(make[^`]*\)`.*/\1/p' "$1" | grep -oE '(^| |&& )make +([A-Z]+=[^ ]+ +)*[a-z][a-z-]*/?' | grep -v '/$' | sed 's/.* //' | sort -u |
-        while read -r target; do grep -q "^$target:" "$root/Makefile" || echo "$1: make $target"; done
+        while read -r target; do cat $makefiles | grep -q "^$target:" || echo "$1: make $target"; done
 }
 all_targets_are_there() { # PAGE
     missing_targets "$1" >"$complained"
