@@ -8,7 +8,7 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { difference, end, test } from './check.mjs';
+import { end, sameBytes, test } from './check.mjs';
 
 const folder = process.argv[2], { load } = await import(pathToFileURL(resolve(folder, 'node.mjs')));
 const TYPES = { '.mjs': 'text/javascript', '.wasm': 'application/wasm', '.html': 'text/html' };
@@ -67,7 +67,7 @@ const z = await load();
 for (const name of scenes)
   await test(name, () => {
     const want = z.draw(readFileSync(join('tests/scenes', name))).encode().bytes;
-    for (const place of ['page', 'scalar', 'worker']) assert.equal(difference(want, got.get(`${place}/${name}`)), '', place);
+    for (const place of ['page', 'scalar', 'worker']) sameBytes(want, got.get(`${place}/${name}`), place);
   });
 await test('a canvas has the colours', () => {
   const want = z.draw('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', { size: [64, 48], look: 'textbook' }).channel().data;

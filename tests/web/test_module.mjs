@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import { difference, end, test } from './check.mjs';
+import { end, sameBytes, test } from './check.mjs';
 
 const folder = pathToFileURL(`${process.argv[2]}/`);
 const { load, Zraster } = await import(new URL('node.mjs', folder));
@@ -18,19 +18,19 @@ await test('both modules have at most 1 000 000 bytes when compressed', () => {
 });
 await test('the one without SIMD draws the same bytes', async () => {
   const other = await load(scalar);
-  assert.equal(difference(z.draw(OBJ).encode().bytes, other.draw(OBJ).encode().bytes), '');
+  sameBytes(z.draw(OBJ).encode().bytes, other.draw(OBJ).encode().bytes);
 });
 await test('a module, a promise of bytes and a Response open it', async () => {
   const response = new Response(wasm, { headers: { 'Content-Type': 'application/wasm' } });
   for (const source of [z.module, Promise.resolve(wasm), response]) assert.equal((await load(source)).version, z.version);
 });
 await test('a scene draws as its text does', () => {
-  assert.equal(difference(z.draw(scene).encode().bytes, z.draw(JSON.stringify(scene)).encode().bytes), '');
+  sameBytes(z.draw(scene).encode().bytes, z.draw(JSON.stringify(scene)).encode().bytes);
 });
 await test('options are parameters, in both spellings', () => {
   const want = z.draw(OBJ, { query: 'look=clay&width=90&height=70&creaseDegrees=10' }).encode().bytes;
-  assert.equal(difference(want, z.draw(OBJ, { look: 'clay', size: [90, 70], creaseDegrees: 10 }).encode().bytes), '');
-  assert.equal(difference(want, z.draw(OBJ, { look: 'clay', width: 90, height: 70, crease_degrees: 10 }).encode().bytes), '');
+  sameBytes(want, z.draw(OBJ, { look: 'clay', size: [90, 70], creaseDegrees: 10 }).encode().bytes);
+  sameBytes(want, z.draw(OBJ, { look: 'clay', width: 90, height: 70, crease_degrees: 10 }).encode().bytes);
 });
 await test('options of scenes are their keys', () => {
   const want = z.draw({ ...scene, window: { width: 50, height: 40 } }).channel().data;
@@ -46,7 +46,7 @@ await test('arrays are parts', () => {
   const parts = { p: { data: new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), shape: [3, 3] }, f: { data: new Uint32Array([0, 1, 2]), shape: [1, 3] } };
   const mesh = { meshes: [{ positions: { asset: 'p' }, faces: { asset: 'f' } }] };
   const list = { meshes: [{ positions: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], faces: [[0, 1, 2]] }] };
-  assert.equal(difference(z.draw(mesh, { parts }).encode().bytes, z.draw(list).encode().bytes), '');
+  sameBytes(z.draw(mesh, { parts }).encode().bytes, z.draw(list).encode().bytes);
   assert.throws(() => z.draw(mesh, { parts: { p: { data: new Float32Array(4), shape: [3, 3] } } }), refused('bad-request'));
 });
 await test('a scene that was read is drawn with other keys', () => {

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { difference, end, test } from './check.mjs';
+import { end, sameBytes, test } from './check.mjs';
 
 const folder = pathToFileURL(`${process.argv[2]}/`), work = mkdtempSync(join(tmpdir(), 'zraster-'));
 const { load } = await import(new URL('node.mjs', folder)), worker = await import(new URL('worker.mjs', folder));
@@ -16,7 +16,7 @@ await test('a Worker draws the same picture', async () => {
   const picture = await there.draw(OBJ, { look: 'clay', size: 64 }), { bytes, type } = await picture.encode();
   assert.equal(type, 'image/png');
   assert.equal(picture.look, 'clay@1');
-  assert.equal(difference(bytes, here.draw(OBJ, { look: 'clay', size: 64 }).encode().bytes), '');
+  sameBytes(bytes, here.draw(OBJ, { look: 'clay', size: 64 }).encode().bytes);
   assert.deepEqual((await picture.channel()).shape, [64, 64, 4]);
   await picture.free();
   await assert.rejects(picture.encode(), error => error.status === 'ended');
@@ -42,7 +42,7 @@ await test('npx zraster writes a picture, with the materials beside the file', (
   const said = spawnSync('node', [cli, 'part.obj', 'out.png', '--look', 'studio', '--size', '64x48'], { cwd: work, encoding: 'utf8' });
   assert.equal(said.stderr, '');
   const parts = { 'part.mtl': Buffer.from('newmtl red\nKd 1 0 0\n') };
-  assert.equal(difference(readFileSync(join(work, 'out.png')), here.draw(OBJ, { look: 'studio', size: [64, 48], parts }).encode().bytes), '');
+  sameBytes(readFileSync(join(work, 'out.png')), here.draw(OBJ, { look: 'studio', size: [64, 48], parts }).encode().bytes);
   assert.match(spawnSync('node', [cli, 'part.obj', '--look', 'tecnical'], { cwd: work, encoding: 'utf8' }).stderr, /did you mean technical/);
   assert.match(spawnSync('node', [cli, 'none.obj'], { cwd: work, encoding: 'utf8' }).stderr, /ENOENT/);
 });

@@ -75,7 +75,7 @@ jumps := -mllvm -wasm-enable-sjlj -mexception-handling
 # The sources of each codec's library. zlib is for libpng alone; core/ uses libisal.
 codec_sources := $(addprefix $(sources)/zlib/,$(addsuffix .c,adler32 compress crc32 deflate inffast inflate inftrees trees uncompr zutil)) \
 	$(addprefix $(sources)/png/,$(addsuffix .c,png pngerror pngget pngmem pngpread pngread pngrio pngrtran pngrutil pngset pngtrans pngwio pngwrite pngwtran pngwutil)) \
-	$(addprefix $(sources)/isal/igzip/,$(addsuffix .c,igzip hufftables_c igzip_base igzip_icf_base adler32_base flatten_ll encode_df igzip_icf_body \
+	$(addprefix $(sources)/isal/igzip/,$(addsuffix .c,igzip hufftables_c igzip_base adler32_base flatten_ll encode_df igzip_icf_body \
 		igzip_base_aliases proc_heap_base huff_codes igzip_inflate)) \
 	$(addprefix $(sources)/isal/crc/,$(addsuffix .c,crc_base crc_base_aliases crc64_base)) \
 	$(wildcard $(addsuffix /*.c,$(addprefix $(sources)/webp/,src/dec src/enc src/dsp src/utils sharpyuv))) \
@@ -83,10 +83,13 @@ codec_sources := $(addprefix $(sources)/zlib/,$(addsuffix .c,adler32 compress cr
 		jcparam jcphuff jcprepct jcsample jctrans jdapimin jdapistd jdatadst jdatasrc jdcoefct jdcolor jddctmgr jdhuff jdicc jdinput jdmainct jdmarker \
 		jdmaster jdmerge jdphuff jdpostct jdsample jdtrans jerror jfdctflt jfdctfst jfdctint jidctflt jidctfst jidctint jidctred jquant1 jquant2 \
 		jutils jmemmgr jmemnobs jsimd_none jcarith jdarith jaricom))
-codecs := $(codec_sources:$(sources)/%.c=$(BUILD)/codecs/%.o)
+# Search of matches as by libisal's assembler code, in place of its igzip_icf_base.c: files have the same bytes.
+isal_level1 := $(BUILD)/clients/web/module/isal_level1.o
+$(isal_level1): OURS += -isystem $(sources)/isal/include -isystem $(sources)/isal/igzip -O2
+codecs := $(codec_sources:$(sources)/%.c=$(BUILD)/codecs/%.o) $(isal_level1)
 $(BUILD)/codecs/isal/%.o: codec_includes += -I$(sources)/isal/include -I$(sources)/isal/igzip -I$(sources)/isal/crc
 $(BUILD)/codecs/png/%.o: codec_includes += $(jumps)
-$(BUILD)/codecs/%.o: $(sources)/%.c | $(missing_compiler)
+$(BUILD)/codecs/%.o: $(sources)/%.c $(sources)/versions | $(missing_compiler)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(EXACT) -ffunction-sections -fdata-sections -fvisibility=hidden -DNDEBUG -DHAVE_UNISTD_H -w -Iclients/web/module/include $(codec_includes) -c -o $@ $<
 

@@ -6,7 +6,7 @@ set -eu
 folder=$1
 here=$(cd "$(dirname "$0")" && pwd)
 packages='isal=libisal jpeg=libjpeg-turbo png=libpng1.6 webp=libwebp zlib=zlib'
-[ ! -e "$folder/versions" ] || exit 0
+[ "$folder/versions" -nt "$here/libisal-2.30.patch" ] && exit 0
 rm -rf "$folder"
 mkdir -p "$folder/apt/lists/partial" "$folder/apt/parts"
 folder=$(cd "$folder" && pwd)

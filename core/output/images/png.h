@@ -1,8 +1,8 @@
 /* png.h - output: encodes pixels as PNG, by libpng.
  *
  * Row 0 is the top. There are no time stamps. The same pixels give the same bytes for any team and memory address
- * (idat.h). The bytes may differ between versions of libpng, zlib or ISA-L, and between instruction sets for which
- * ISA-L compresses differently; the pixels do not.
+ * (idat.h). The bytes may differ between versions of libpng, zlib or ISA-L, and between processors for which ISA-L
+ * compresses differently: ARM, and x86-64 without SSE4.2. WebAssembly has the bytes of x86-64. The pixels never differ.
  *
  * The request decides between RGB and RGBA, not the contents: a picture with a transparent background stays RGBA even
  * if geometry covers all of it, so that compositing scripts get a constant format. A picture of up to 256 colours gets
