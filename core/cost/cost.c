@@ -15,6 +15,7 @@
 #include "raster/textbook/trace.h"
 #include "raster/tile.h"
 #include "render/frame_parts.h"
+#include "render/layers/layer_surfaces.h"
 #include "render/lens.h"
 #include "render/picture.h"
 #include "scene/camera/resolved_view.h"
@@ -58,7 +59,7 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
         if (has_info) counts[ZR_COST_FACT] += scene->csg ? 2.0 * triangles : triangles;
         if (has_info && finds_features) counts[ZR_COST_FEATURE] += triangles;
         if (has_info && scene->distance_count > 0) counts[ZR_COST_FACT] += 8.0 * triangles;
-        if (zr_view_wants(&scene->views[0], ZR_CHANNEL_WALL)) counts[ZR_COST_FACT] += 2.0 * triangles;
+        if (zr_view_wants(&scene->views[0], ZR_CHANNEL_WALL)) counts[ZR_COST_FACT] += triangles;
         if (has_info) counts[ZR_COST_PART] += zr_mesh_part_count(mesh);
         if (scene->sections.count > 0) /* the mesh is welded, and each plane lists all corners again */
             counts[ZR_COST_SECTION_CORNER] +=
@@ -76,7 +77,7 @@ static void count_geometry(const struct zr_scene *scene, const struct zr_cost_pa
 static const double CHANNEL_TIMES[ZR_CHANNEL_COUNT] = {
     [ZR_CHANNEL_DISTANCE] = 1.0, [ZR_CHANNEL_POSITION] = 1.0,     [ZR_CHANNEL_TEXCOORD] = 1.0,
     [ZR_CHANNEL_NORMALS] = 0.4,  [ZR_CHANNEL_BARYCENTRICS] = 4.0, [ZR_CHANNEL_FLOW] = 4.0,
-    [ZR_CHANNEL_WALL] = 60.0};
+    [ZR_CHANNEL_LAYERS] = 1.3,   [ZR_CHANNEL_THICKNESS] = 1.7};
 
 /* Kinds of cost per pixel of files, beside that of their words. */
 enum { ZR_COST_NONE = ZR_COST_KINDS };
@@ -117,7 +118,14 @@ static double layer_walks(const struct zr_view *view)
     return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +
            (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0) +
            (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0) + (zr_view_picks(view) ? 1.0 : 0.0) +
-            (zr_view_has_masks(view) ? 1.0 : 0.0);
+           (zr_view_has_masks(view) ? 1.0 : 0.0);
+}
+
+/* A wall is searched for in a tree of all triangles, from each covered pixel. Half of the faces look away. */
+static double wall_pixels(const struct zr_cost_sample *sample)
+{
+    const double faces = sample->faces * sample->scale, covered = 0.5 * sample->scale * sample->fragments;
+    return fmin(covered, sample->width * sample->height) * pow(fmax(faces / 1000.0, 1.0), 0.3);
 }
 
 static double square(double value)
@@ -212,8 +220,16 @@ static void count_line_pairs(const struct zr_cost_sample *sample, double times, 
 /* Lit surfaces of a covered pixel, on average. */
 static const double SURFACES_A_PIXEL = 2.0;
 
-/* Cost of a sample of a blended surface that is lit once in a pixel, relative to a layer's. */
+/* Cost of a sample of a blended surface that is lit once in a pixel, relative to a layer's. Small faces have a surface in
+ * each pixel that they touch, if one of its samples is theirs: more surfaces than pixels. */
 static const double LAYER_SURFACE_TIMES = 0.25;
+
+static double surfaces_a_pixel(const struct zr_cost_sample *sample)
+{
+    const double pixels = sample->layered / fmax(sample->faces, 1.0);
+    if (pixels <= 0.0) return 1.0;
+    return fmin(ZR_SURFACES_SIDE * ZR_SURFACES_SIDE * pixels, pixels + 1.6 * sqrt(pixels) + 1.0) / pixels;
+}
 
 static void count_fragments(const struct zr_cost_sample *sample, const struct zr_cost_passes *passes, double *counts)
 {
@@ -235,10 +251,11 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct zr
     counts[ZR_COST_CAP_TILE] = caps * fmax(drawn * pixels / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
     if (passes->samples > 0.0 && picture->is_linear && zr_cost_draws_lines(picture))
         counts[ZR_COST_SHAPE_CORNER] += 0.25 * caps * caps / fmax((double)scene->instance_count, 1.0);
-    const double layer_times = zr_cost_lights_surfaces(scene) ? LAYER_SURFACE_TIMES : 1.0;
+    const double layer_times = zr_cost_lights_surfaces(scene) ? LAYER_SURFACE_TIMES * surfaces_a_pixel(sample) : 1.0;
     counts[ZR_COST_LAYER] = layer_times * repeats * drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
     if (scene->csg) counts[ZR_COST_SOLID_SAMPLE] = (times + passes->map_texels * scale / pixels) * sample->fragments;
     counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
+    if (zr_view_wants(&scene->views[0], ZR_CHANNEL_WALL)) counts[ZR_COST_WALL_PIXEL] = wall_pixels(sample);
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
     counts[ZR_COST_MAP_FRAGMENT] = passes->map_texels * scale * sample->fragments / pixels;

@@ -30,9 +30,10 @@
     ROW(COMPARISON, 1.0, "pixels that the painter compares")                                                           \
     ROW(LAYER, 32.0, "pixels of translucent faces, hidden ones too")                                                   \
     ROW(SOLID_SAMPLE, 14.0, "samples of faces, hidden ones too, of scenes with csg")                                   \
-    ROW(CHANNEL_LAYER, 12.0, "pixels of faces, hidden ones too, for channels of all layers")                           \
+    ROW(CHANNEL_LAYER, 6.0, "pixels of faces, hidden ones too, for channels of all layers")                            \
     ROW(WINDOW_SAMPLE, 1.5, "samples of the window")                                                                   \
     ROW(CHANNEL_PIXEL, 12.0, "pixels of data channels that are computed")                                              \
+    ROW(WALL_PIXEL, 700.0, "pixels whose walls are measured, more in meshes of more than 1000 triangles")              \
     ROW(LINEAR_PIXEL, 26.0, "pixels in linear light")                                                                  \
     ROW(LIT_SAMPLE, 10.0, "samples that are lit")                                                                      \
     ROW(LAMP_SAMPLE, 1.0, "samples times lamps")                                                                       \
@@ -56,7 +57,7 @@
     ROW(LINEAR_LEVEL_TEXEL, 7.0, "texels of textures' levels in linear light")                                         \
     ROW(FACT, 800.0, "triangles of parts that info measures")                                                          \
     ROW(FEATURE, 2000.0, "triangles among which info finds features, and 100 per part")                                \
-    ROW(INFO, 700e3, "scenes whose overlaps info measures")                                                            \
+    ROW(INFO, 3e6, "scenes whose overlaps info measures")                                                              \
     ROW(PART, 60e3, "parts that info lists")                                                                           \
     ROW(SECTION_CORNER, 60.0, "corners of faces times planes of sections")                                             \
     ROW(CAP_TILE, 6.0, "corners of caps times tiles of the window")                                                    \

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "scene/output.h"
 #include "shade/draw_attributes.h"
 
 /* Bytes per vertex, corner, triangle, point or face of each array. */
@@ -16,10 +17,12 @@
 #define KEPT_CREASE_BYTES   7.0   /* per corner, afterwards */
 #define FIXED_BYTES         4e5   /* of every picture */
 #define LINE_BYTES          170.0 /* per triangle whose lines are found */
+#define FACT_BYTES          50.0  /* per triangle of parts that info measures */
+#define WALL_BYTES          180.0 /* per triangle whose walls are measured: of the solid, and of its tree */
 
 /* Sums over instances. Creases are found per mesh, one after another. */
 struct sums {
-    double pass, kept, creases, lines;
+    double pass, kept, creases, lines, triangles;
 };
 
 static void add_instance(const struct zr_mesh *mesh, const struct zr_cost_passes *passes, bool is_lit,
@@ -33,6 +36,7 @@ static void add_instance(const struct zr_mesh *mesh, const struct zr_cost_passes
     if (!is_lit) sums->pass += (double)mesh->face_count * COLOR_BYTES;
     if (is_lit && positions < (double)ZR_LOADED_VERTICES) sums->pass += (vertices + corners) * ATTRIBUTE_BYTES;
     sums->lines += triangles * LINE_BYTES;
+    sums->triangles += triangles;
     if (!passes->makes_normals || mesh->normal_count > 0) return;
     sums->kept += corners * KEPT_CREASE_BYTES;
     sums->creases = fmax(sums->creases, corners * CREASE_CORNER_BYTES + positions * CREASE_VERTEX_BYTES);
@@ -41,10 +45,13 @@ static void add_instance(const struct zr_mesh *mesh, const struct zr_cost_passes
 double zr_cost_mesh_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes)
 {
     const bool is_lit = passes->samples > 0.0 && scene->picture->is_linear;
-    struct sums sums = {0.0, 0.0, 0.0, 0.0};
+    struct sums sums = {0.0, 0.0, 0.0, 0.0, 0.0};
     if (scene->is_undrawn) return 0.0;
     for (uint32_t i = 0; i < scene->instance_count; i++)
         add_instance(&scene->meshes[scene->instances[i].mesh], passes, is_lit, &sums);
-    const double drawn = fmax(sums.kept + sums.pass, sums.creases);
+    const double measured = zr_view_wants(&scene->views[0], ZR_CHANNEL_WALL)   ? WALL_BYTES
+                            : zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO) ? FACT_BYTES
+                                                                               : 0.0;
+    const double drawn = fmax(fmax(sums.kept + sums.pass, sums.creases), measured * sums.triangles);
     return FIXED_BYTES + (is_lit && zr_cost_draws_lines(scene->picture) ? fmax(drawn, sums.lines) : drawn);
 }

@@ -97,8 +97,9 @@ double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_p
     const double flow = passes->has_flow ? pixels * WORD_BYTES : 0.0;
     const double masks = passes->has_masks ? bytes_of_masks(scene, pixels, fragments) : 0.0;
     const bool fits = zr_annotate_fits(&view->annotate, view->width, view->height);
-    const double marks = (zr_annotate_has(&view->annotate, ZR_ANNOTATE_LABELS) ? LABEL_BYTES : 0) +
-                         (zr_annotate_has(&view->annotate, ZR_ANNOTATE_HOLES) || view->annotate.dimension_count > 0 ? NOTE_BYTES : 0);
+    const double marks =
+        (zr_annotate_has(&view->annotate, ZR_ANNOTATE_LABELS) ? LABEL_BYTES : 0) +
+        (zr_annotate_has(&view->annotate, ZR_ANNOTATE_HOLES) || view->annotate.dimension_count > 0 ? NOTE_BYTES : 0);
     if (fits) sum = fmax(sum, pixels * marks);
     return pixels * passes->channel_words * WORD_BYTES + masks + fmax(fmax(sum, lines), flow);
 }

@@ -1,6 +1,6 @@
 /* costs - bench: compares predictions with measurements. Prints the predicted time (core/cost/cost.h) and the processor
  * time of one thread, and the predicted memory and the memory held. Draws each scene, and each bare mesh in some
- * looks and sizes. The last lines have the shares of times and of memory within factors of 2 and 3. `make bench-costs` runs it.
+ * looks, channels and sizes. The last lines have the shares of times and of memory within factors of 2 and 3. `make bench-costs` runs it.
  *
  *     build/tests/bench/alone/costs [--counts] FILE...
  *
@@ -16,6 +16,8 @@
 #include "core.h"
 #include "cost/cost.h"
 #include "render_request.h"
+#include "request/compare.h"
+#include "request/drawing_file.h"
 #include "scene/camera/resolved_view.h"
 #include "scene/scene.h"
 #include "support/files.h"
@@ -105,9 +107,43 @@ static void run(struct zr_arena *arena, const struct zr_request *request, const 
     if (counts) putchar('\n');
 }
 
+/* A technical drawing of a model, or the model compared with itself. */
+static void run_task(struct zr_arena *arena, const struct zr_request *request, const char *file, bool is_drawing,
+                     struct share *share)
+{
+    const char *const query = is_drawing ? NULL : "precision=full";
+    const struct zr_limits limits = zr_limits_default();
+    const struct zr_scene *scene = NULL;
+    struct zr_error error = {.count = 0};
+    const struct zr_run run = {.arena = arena, .scratch = arena, .error = &error};
+    double took_ms = HUGE_VAL, predicted_ms = 0.0;
+    for (int i = 0; i < ROUNDS && took_ms > enough_ms; i++) {
+        struct zr_drawing_file drawing;
+        struct zr_compare_answer answer;
+        zr_arena_reset(arena, SIZE_MAX);
+        if (zr_scene_read(&run, request, &limits, &scene) != ZR_OK) {
+            fail(&error);
+            return;
+        }
+        predicted_ms = is_drawing ? zr_drawing_cost_ms(scene, query) : zr_compare_cost_ms(scene, scene, query);
+        const double begin_ms = now_ms();
+        if ((is_drawing ? zr_drawing_file_make(&run, scene, query, &drawing)
+                        : zr_compare(&run, scene, scene, query, &answer)) != ZR_OK) {
+            fail(&error);
+            return;
+        }
+        took_ms = fmin(took_ms, now_ms() - begin_ms);
+    }
+    add(share, predicted_ms, took_ms);
+    printf("%s %-*s predicted %9.3f ms, took %9.3f: %5.2f\n", file, (int)fmax(59.0 - (double)strlen(file), 1.0),
+           is_drawing ? "drawing" : "compare", predicted_ms, took_ms, predicted_ms / took_ms);
+}
+
 int main(int argc, char **argv)
 {
     static const char *const looks[] = {"textbook", "studio", "technical", "metal", "xray"};
+    static const char *const channels[] = {"depth", "wall", "thickness", "layers", "fragments", "masks", "info"};
+    enum { LOOKS = sizeof looks / sizeof *looks, CHANNELS = sizeof channels / sizeof *channels };
     static const struct {
         const char *width, *height;
     } sizes[] = {{"64", "48"}, {"640", "480"}, {"1920", "1080"}};
@@ -134,14 +170,19 @@ int main(int argc, char **argv)
             run(&arena, &request, argv[i], counts, shares);
         } else {
             request.format = ZR_FORMAT_UNKNOWN;
-            for (size_t k = 0; k < 3 * sizeof looks / sizeof *looks; k++) {
+            for (size_t k = 0; k < 3 * (LOOKS + CHANNELS); k++) {
                 char name[512];
-                request.look = looks[k / 3];
+                request.look = looks[k / 3 < LOOKS ? k / 3 : 0];
+                request.channel = k / 3 < LOOKS ? NULL : channels[k / 3 - LOOKS];
                 request.width = sizes[k % 3].width;
                 request.height = sizes[k % 3].height;
-                snprintf(name, sizeof name, "%s %s %s", argv[i], request.look, request.width);
+                snprintf(name, sizeof name, "%s %s %s", argv[i], request.channel ? request.channel : request.look,
+                         request.width);
                 run(&arena, &request, name, counts, shares);
             }
+            request.channel = request.look = NULL;
+            for (int k = 0; k < 2; k++)
+                run_task(&arena, &request, argv[i], k == 0, &shares[1]);
         }
         free(bytes);
     }
