@@ -86,7 +86,7 @@ codec_sources := $(addprefix $(sources)/zlib/,$(addsuffix .c,adler32 compress cr
 codecs := $(codec_sources:$(sources)/%.c=$(BUILD)/codecs/%.o)
 $(BUILD)/codecs/isal/%.o: codec_includes += -I$(sources)/isal/include -I$(sources)/isal/igzip -I$(sources)/isal/crc
 $(BUILD)/codecs/png/%.o: codec_includes += $(jumps)
-$(BUILD)/codecs/%.o: $(sources)/%.c | $(missing_compiler)
+$(BUILD)/codecs/%.o: $(sources)/%.c clients/web/module/module.mk | $(missing_compiler)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(EXACT) -ffunction-sections -fdata-sections -fvisibility=hidden -DNDEBUG -DHAVE_UNISTD_H -w -Iclients/web/module/include $(codec_includes) -c -o $@ $<
 
@@ -95,7 +95,8 @@ small_rooms := api cost drawing input lines measure mesh output overlay request 
 small := $(filter-out %_kernel.$(isas).o,$(filter $(foreach room,$(small_rooms),$(BUILD)/core/$(room)/%),$(core)))
 $(small): CPPFLAGS += -Oz
 $(BUILD)/codecs/png/%.o $(BUILD)/codecs/jpeg/%.o $(BUILD)/codecs/webp/%.o: codec_includes += -Oz
-$(BUILD)/codecs/jpeg/%.o: codec_includes += -DUSE_CLZ_INTRINSIC
+# The module has no environment: getenv would end it with status 71.
+$(BUILD)/codecs/jpeg/%.o: codec_includes += -DUSE_CLZ_INTRINSIC -DNO_GETENV -DNO_PUTENV
 $(BUILD)/codecs/isal/%.o $(BUILD)/codecs/zlib/%.o: codec_includes += -O2
 
 # Files with setjmp, for errors of libpng and libjpeg. The files about spare memory are left out: the module cannot ask its host.
