@@ -13,7 +13,7 @@ server/page/page.sh "$work" false
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
 # The scripts of the renderer, without comments of a whole line and without scripts for Node.
-for file in browser errors options worker worker_thread zraster; do sed '/^ *\/\*.*\*\/$/d; s/^ *//' "$package/$file.mjs" >"$out/engine/$file.mjs"; done
+for file in answers browser errors options remote worker worker_thread zraster; do sed '/^ *\/\*.*\*\/$/d; s/^ *//' "$package/$file.mjs" >"$out/engine/$file.mjs"; done
 cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt" "$out/engine"
 
 # Lists and files by the addresses of the daemon.
