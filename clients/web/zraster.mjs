@@ -38,8 +38,9 @@ export async function compile(source) {
   if (source instanceof URL || typeof source === 'string') source = await fetch(source);
   if (typeof Response !== 'undefined' && source instanceof Response) {
     if (!source.ok) throw new ZrasterError('internal', `zraster.wasm: status ${source.status}`);
-    /* Some servers give another type, which compileStreaming refuses. */
-    const isWasm = source.headers.get('Content-Type') === 'application/wasm';
+    /* Some servers give another type, which compileStreaming refuses; a page instead of the module is a wrong address. */
+    const type = source.headers.get('Content-Type') ?? '', isWasm = type === 'application/wasm';
+    if (type.startsWith('text/html')) throw new ZrasterError('internal', `${source.url}: a page, and no module; see "Bundlers" in the README of zraster`);
     return isWasm ? WebAssembly.compileStreaming(source) : WebAssembly.compile(await source.arrayBuffer());
   }
   return WebAssembly.compile(source);

@@ -46,6 +46,16 @@ wasm-browser: ## the package in Chromium, which is installed: pixels as in Node,
 	@$(MAKE) -s npm
 	@node tests/web/test_browser.mjs $(BUILD)/npm/zraster
 
+WEB_PACKAGES := typescript@7.0.2 typescript-5@npm:typescript@5.4.5 @types/node@20.19.43 workerd@1.20261117.1 esbuild@0.28.2 vite@8.4.0 webpack@5.113.0 \
+	react@19.3.1 react-dom@19.3.1
+.PHONY: wasm-packages
+wasm-packages: ## the package with the tools of its users (npm): TypeScript, workerd, React in Chromium, bundles of esbuild, Vite and webpack
+	@.ci/need $(NEED_COMMAND) $(NEED_WASM_TEST) chromium=chromium
+	@$(MAKE) -s npm
+	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/web-test $(WEB_PACKAGES)
+	@node tests/web/test_packages.mjs $(BUILD) $(BUILD)/web-test
+
 .PHONY: site
 site: ## the page as a folder for any server of files: it draws by itself, also without a network: build/site
 	@.ci/need $(NEED_WASM_TEST)
