@@ -12,10 +12,9 @@ export function answers(load, post) {
   /* Returns the part of a result that the page gets, and the buffers that move there. */
   function told(result) {
     if (result instanceof Picture || result instanceof Scene) {
-      const id = ++last;
+      const { look, hasAlpha, warnings } = result, id = ++last;
       objects.set(id, result);
-      if (result instanceof Scene) return [{ id }, []];
-      return [{ id, look: result.look, hasAlpha: result.hasAlpha, warnings: result.warnings }, []];
+      return [{ id, look, hasAlpha, warnings }];
     }
     return [result, [result?.bytes?.buffer, result?.data?.buffer].filter(Boolean)];
   }
@@ -23,7 +22,7 @@ export function answers(load, post) {
   async function answer(name, values) {
     if (name === 'load') {
       z = await load(...values);
-      return [{ version: z.version, rules: z.rules, tables: z.tables }, []];
+      return [{ version: z.version, rules: z.rules, tables: z.tables }];
     }
     const [id, method, list] = values, object = id ? objects.get(id) : z;
     if (!object) throw new ZrasterError('ended', 'this object was freed');
@@ -36,7 +35,7 @@ export function answers(load, post) {
       const [result, moved] = await answer(name, values);
       post({ result }, moved);
     } catch (error) {
-      post({ error: { status: error.status ?? 'internal', message: error.message, faults: error.faults ?? [] } }, []);
+      post({ error: [error.status ?? 'internal', error.message, error.faults] });
     }
   };
 }

@@ -1,6 +1,6 @@
 /* node_worker.mjs - for Node: the renderer in a thread. */
 import { Worker } from 'node:worker_threads';
-import { load as loadFrom } from './remote.mjs';
+import { open } from './remote.mjs';
 
 export { Picture, Scene, Zraster } from './remote.mjs';
 export { ZrasterError } from './errors.mjs';
@@ -12,4 +12,4 @@ function start(take, fail) {
   return thread;
 }
 
-export const load = (source, options) => loadFrom(start, source, options);
+export const load = (source, options) => open(start, source, options);

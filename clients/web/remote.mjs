@@ -2,17 +2,13 @@
  * An aborted signal takes a call out of the queue; if it runs already, its Worker ends, and the next call starts another. */
 import { ZrasterError } from './errors.mjs';
 
-const cancelled = (why = 'the signal was aborted') => new ZrasterError('cancelled', why);
+const refusal = (status, why) => new ZrasterError(status, why), cancelled = () => refusal('cancelled', 'the signal was aborted');
 
-/* What a Worker can be sent: neither a URL nor a Response. */
+/* What a Worker can be sent: no Response, and addresses that do not depend on the page. */
 async function sourceOf(source) {
   source = await source;
-  if (source instanceof URL) return source.href;
-  if (typeof Response !== 'undefined' && source instanceof Response) {
-    if (!source.ok) throw new ZrasterError('internal', `zraster.wasm: status ${source.status}`);
-    return source.arrayBuffer();
-  }
-  return typeof source === 'string' && globalThis.location ? new URL(source, globalThis.document?.baseURI ?? location.href).href : source;
+  if (typeof source === 'string' || source instanceof URL) return new URL(source, globalThis.document?.baseURI ?? import.meta.url).href;
+  return source instanceof Response ? source.arrayBuffer() : source;
 }
 
 /* A Worker, which gets one question at a time. start(take, fail) makes it, with postMessage and terminate as everywhere. */
@@ -20,7 +16,7 @@ class Connection {
   #worker; #asked = null; #ended;
   constructor(start, ended) {
     this.#ended = ended;
-    this.#worker = start(message => this.#settle(message), text => this.end(new ZrasterError('internal', `the Worker ended: ${text}`)));
+    this.#worker = start(message => this.#settle(message), text => this.end(refusal('internal', `the Worker ended: ${text}`)));
     this.#worker.unref?.(); /* it waits for no call: a program may end */
   }
   ask(name, values) {
@@ -34,7 +30,7 @@ class Connection {
     const asked = this.#asked;
     this.#asked = null;
     this.#worker.unref?.();
-    if (error) asked?.reject(new ZrasterError(error.status, error.message, error.faults));
+    if (error) asked?.reject(new ZrasterError(...error));
     else asked?.resolve(result);
   }
   end(error) {
@@ -46,7 +42,7 @@ class Connection {
 }
 
 /** Opens the renderer in a Worker; source and options as those of load(). */
-export async function load(start, source, options) {
+export async function open(start, source, options) {
   const z = new Zraster(start, source, options);
   await z.reopen();
   return z;
@@ -90,7 +86,7 @@ export class Zraster {
       }
       const call = this.#running = this.#queue.shift();
       if (!call) continue;
-      if (call.run !== null && call.run !== this.#run) call.reject(new ZrasterError('ended', 'the Worker of this object has ended'));
+      if (call.run !== null && call.run !== this.#run) call.reject(refusal('ended', 'the Worker of this object has ended'));
       else await this.#worker.ask('call', call.values).then(call.resolve, call.reject);
       this.#running = null;
     }
@@ -101,6 +97,11 @@ export class Zraster {
     for (const call of this.#queue.splice(0)) call.reject(error);
   }
 
+  #stop(why) {
+    this.#refuse(refusal('cancelled', why));
+    this.#worker?.end(refusal('cancelled', why));
+  }
+
   #cancel(call) {
     if (call === this.#running) return this.#worker?.end(cancelled());
     this.#queue = this.#queue.filter(other => other !== call);
@@ -109,7 +110,7 @@ export class Zraster {
 
   /** For the other classes: calls a method of an object of the Worker; 0: the renderer. run: of the objects, or null. */
   async call(object, name, values, { signal, ...rest } = {}, run = null) {
-    if (this.#isClosed) throw new ZrasterError('ended', 'zraster cannot be used: it is closed; reopen() opens it again');
+    if (this.#isClosed) throw refusal('ended', 'zraster cannot be used: it is closed; reopen() opens it again');
     if (signal?.aborted) throw cancelled();
     return new Promise((resolve, reject) => {
       const abort = () => this.#cancel(call);
@@ -127,8 +128,7 @@ export class Zraster {
   /** Ends all calls, and starts another Worker: scenes and pictures are gone. */
   async reopen() {
     this.#isClosed = false;
-    this.#refuse(cancelled('it is opened again'));
-    this.#worker?.end(cancelled('it is opened again'));
+    this.#stop('it is opened again');
     await this.#open();
   }
   async draw(body, options) { return new Picture(this, await this.call(0, 'draw', [body], options)); }
@@ -138,8 +138,7 @@ export class Zraster {
   compare(a, b, query) { return this.call(0, 'compare', [{ object: a.id }, { object: b.id }, query], {}, a.run === b.run ? a.run : -1); }
   close() {
     this.#isClosed = true;
-    this.#refuse(cancelled('it is closed'));
-    this.#worker?.end(cancelled('it is closed'));
+    this.#stop('it is closed');
   }
 }
 

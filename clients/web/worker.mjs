@@ -1,5 +1,5 @@
 /* worker.mjs - for browsers: the renderer in a Worker. */
-import { load as loadFrom } from './remote.mjs';
+import { open } from './remote.mjs';
 
 export { Picture, Scene, Zraster } from './remote.mjs';
 export { ZrasterError } from './errors.mjs';
@@ -7,8 +7,8 @@ export { ZrasterError } from './errors.mjs';
 function start(take, fail) {
   const worker = new Worker(new URL('worker_thread.mjs', import.meta.url), { type: 'module' }); /* in one expression, for bundlers */
   worker.onmessage = event => take(event.data);
-  worker.onerror = event => fail(event.message ?? 'the browser could not load worker_thread.mjs, which belongs beside worker.mjs');
+  worker.onerror = event => fail(event.message ?? 'worker_thread.mjs was not found beside worker.mjs');
   return worker;
 }
 
-export const load = (source, options) => loadFrom(start, source, options);
+export const load = (source, options) => open(start, source, options);
