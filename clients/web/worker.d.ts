@@ -1,4 +1,4 @@
-import type { Body, DrawOptions, LoadOptions, Numbers, Picture as Drawn, Source } from './zraster.js';
+import type { Body, ChannelName, DrawOptions, LoadOptions, Numbers, Picture as Drawn, Source } from './zraster.js';
 
 export { ZrasterError } from './zraster.js';
 
@@ -37,8 +37,8 @@ export class Picture {
   readonly hasAlpha: boolean;
   readonly look: string;
   readonly warnings: string[];
-  encode(channel?: string): Promise<ReturnType<Drawn['encode']>>;
-  channel(name?: string): Promise<{ data: Numbers; shape: number[] } | null>;
+  encode(channel?: ChannelName): Promise<ReturnType<Drawn['encode']>>;
+  channel(name?: ChannelName): Promise<{ data: Numbers; shape: number[] } | null>;
   imageData(): Promise<Image>;
   free(): Promise<void>;
 }

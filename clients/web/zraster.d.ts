@@ -1,4 +1,6 @@
-import type { Options } from './options.js';
+import type { ChannelName, Look, Options } from './options.js';
+
+export type { ChannelName, Look };
 
 /* Names of engines, which programs for Node or for browsers may lack. */
 type Engine<Name extends string> = typeof globalThis extends { [name in Name]: { prototype: infer Type } } ? Type : never;
@@ -12,7 +14,7 @@ export type Numbers = Uint8Array | Float32Array | Float64Array | Int32Array | Ui
 export type Body = Uint8Array | ArrayBuffer | string | object;
 /** A file, or an array in place of a list: { data, shape: [n, 3] }. optional: no warning if nothing uses it. */
 export type Part = Uint8Array | { data: Uint8Array; optional?: boolean } | { data: Numbers; shape: number[]; optional?: boolean };
-export type Channel = string | { channel: string; [key: string]: unknown };
+export type Channel = ChannelName | { channel: ChannelName; [key: string]: unknown };
 
 export interface DrawOptions extends Options {
   /** "stl", "model/stl", ...; else by the bytes */
@@ -21,8 +23,8 @@ export interface DrawOptions extends Options {
   query?: string | Record<string, string | number | boolean>;
   parts?: Record<string, Part>;
   /** width and height, or one number for both */
-  size?: number | [number, number];
-  channels?: Channel | Channel[];
+  size?: number | readonly [number, number];
+  channels?: Channel | readonly Channel[];
   /** in a Worker: ends the call, and the Worker. Else: looked at before the call. */
   signal?: AbortSignal;
 }
@@ -76,9 +78,9 @@ export class Scene {
 
 export class Picture {
   private constructor();
-  encode(channel?: string): { bytes: Bytes; type: string };
+  encode(channel?: ChannelName): { bytes: Bytes; type: string };
   /** a copy of the numbers; row 0 is the top */
-  channel(name?: string): { data: Numbers; shape: number[] } | null;
+  channel(name?: ChannelName): { data: Numbers; shape: number[] } | null;
   imageData(): Image;
   readonly hasAlpha: boolean;
   readonly look: string;

@@ -43,6 +43,6 @@ export async function visit(fileOf, { address, flags = ['--disable-gpu'], second
   await once(browser, 'exit');
   server.close();
   server.closeAllConnections();
-  rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+  rmSync(profile, { recursive: true, force: true, maxRetries: 20 });
   return got;
 }

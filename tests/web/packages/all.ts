@@ -1,6 +1,6 @@
 // all.ts - each function and type of zraster.d.ts and worker.d.ts, as a program for tsc --strict; and words that it must refuse.
 import { compile, load, Picture, Scene, Zraster, ZrasterError } from 'zraster';
-import type { Body, Channel, DrawOptions, LoadOptions, Numbers, Part, Source, Status } from 'zraster';
+import type { Body, Channel, ChannelName, DrawOptions, LoadOptions, Look, Numbers, Part, Source, Status } from 'zraster';
 import * as worker from 'zraster/worker';
 
 const body: Body = new Uint8Array(84), buffer: Body = new ArrayBuffer(84), text: Body = 'v 0 0 0', scene: Body = { meshes: [] };
@@ -9,6 +9,7 @@ const parts: Record<string, Part> = {
   'image.png': { data: new Uint8Array(3), optional: true },
 };
 const channels: Channel[] = ['color', { channel: 'position', space: 'world' }];
+const pinned: Look = 'studio@1', depth: ChannelName = 'depth', window = [640, 480] as const;
 const all: DrawOptions = {
   type: 'stl', query: { look: 'clay', width: 3, edges: true }, parts, channels, size: [640, 480], signal: new AbortController().signal,
   look: 'technical', samples: 4, creaseDegrees: 20, crease_degrees: 20, doubleSided: false, ground_shadow: true, color: 'tomato', section: 'x:0.5',
@@ -23,7 +24,7 @@ export async function here(source: Source, file: URL, answer: Response, promise:
   const zraster: Zraster = await load();
   const version: string = zraster.version, numbers: number = zraster.rules + zraster.memory + zraster.memoryMax, why: string = zraster.ended;
   const looks: string[] = zraster.tables.looks, again: WebAssembly.Module = zraster.module;
-  const picture: Picture = zraster.draw(body, all), other: Picture = zraster.draw(buffer);
+  const picture: Picture = zraster.draw(body, all), other: Picture = zraster.draw(buffer, { look: pinned, channels: [depth], size: window });
   const { bytes, type } = picture.encode();
   picture.encode('depth');
   const response = new Response(bytes, { headers: { 'Content-Type': type } }), blob = new Blob([bytes], { type });
@@ -67,6 +68,8 @@ export function told(error: unknown): string {
 export async function wrong(zraster: Zraster, picture: Picture, away: worker.Zraster): Promise<void> {
   // @ts-expect-error an unknown option
   zraster.draw(body, { lok: 'clay' });
+  // @ts-expect-error a look is a text
+  zraster.draw(body, { look: 3 });
   // @ts-expect-error a number is needed
   zraster.draw(body, { width: '640' });
   // @ts-expect-error true or false is needed
