@@ -1,7 +1,7 @@
 /* browser.mjs - a page in a headless Chromium, which is installed. */
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
@@ -35,14 +35,21 @@ export async function visit(fileOf, { address, flags = ['--disable-gpu'], second
   await once(server, 'listening');
   const profile = mkdtempSync(join(tmpdir(), 'zraster-')), own = `http://127.0.0.1:${server.address().port}/`;
   const words = [...CHROMIUM, ...flags, `--user-data-dir=${profile}`, `${address ?? own}?to=${own}`];
-  const browser = spawn(process.env.CHROMIUM || 'chromium', words, { stdio: 'ignore' });
+  const browser = spawn(process.env.CHROMIUM || 'chromium', words, { stdio: 'ignore', detached: true });
   const timer = setTimeout(() => { got.set('end', Buffer.from(`Chromium said nothing for ${seconds} s`)); finish(); }, 1000 * seconds);
   await finished;
   clearTimeout(timer);
-  browser.kill();
+  process.kill(-browser.pid, 'SIGKILL'); /* with its children, which write to the profile */
   await once(browser, 'exit');
   server.close();
   server.closeAllConnections();
-  rmSync(profile, { recursive: true, force: true, maxRetries: 20 });
+  for (let i = 0; existsSync(profile); i++) {
+    try {
+      rmSync(profile, { recursive: true, force: true });
+    } catch (error) {
+      if (i === 50) throw error;
+      await new Promise(done => setTimeout(done, 100));
+    }
+  }
   return got;
 }
