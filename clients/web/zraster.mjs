@@ -38,8 +38,9 @@ export async function compile(source) {
   if (source instanceof URL || typeof source === 'string') source = await fetch(source);
   if (typeof Response !== 'undefined' && source instanceof Response) {
     if (!source.ok) throw new ZrasterError('internal', `zraster.wasm: status ${source.status}`);
-    /* Some servers give another type, which compileStreaming refuses. */
-    const isWasm = source.headers.get('Content-Type') === 'application/wasm';
+    /* Some servers give another type, which compileStreaming refuses; a page instead of the module is a wrong address. */
+    const type = source.headers.get('Content-Type') ?? '', isWasm = type === 'application/wasm';
+    if (type.startsWith('text/html')) throw new ZrasterError('internal', `${source.url}: a page, and no module; see "Bundlers" in the README of zraster`);
     return isWasm ? WebAssembly.compileStreaming(source) : WebAssembly.compile(await source.arrayBuffer());
   }
   return WebAssembly.compile(source);
@@ -117,6 +118,10 @@ export class Zraster {
     const scene = this.read(body, { ...request, raw: true });
     try { return scene.draw(keys, { raw: true }); } finally { scene.free(); }
   }
+
+  /** Draws the colours for a canvas. */
+  imageData(body, options) { return imageOf(this.pixels(body, options)); }
+  pixels(body, options) { return taken(this.draw(body, options)); }
 
   /** Reads a scene once, to draw it many times. */
   read(body, options = {}) {
@@ -247,6 +252,13 @@ function queryText(query) {
   return typeof query === 'string' ? query : new URLSearchParams(query).toString();
 }
 
+const imageOf = ({ data, shape }) => new ImageData(new Uint8ClampedArray(data.buffer), shape[1], shape[0]);
+
+/* The colours of a picture, which is freed. */
+function taken(picture) {
+  try { return picture.pixels(); } finally { picture.free(); }
+}
+
 /* An object of the module, which is freed once, and gone with it. */
 class Held {
   #at; #opening; #free;
@@ -279,6 +291,9 @@ export class Scene extends Held {
     const body = { ...change, ...keys };
     return new Picture(this.z, this.z.request(Object.keys(body).length ? body : null, { type: 'json', ...request }, 'zraster_scene_draw', this.at));
   }
+  /** Draws the colours for a canvas. */
+  imageData(change, options) { return imageOf(this.pixels(change, options)); }
+  pixels(change, options) { return taken(this.draw(change, options)); }
   get memory() { return this.z.call('zraster_scene_memory', this.at); }
 }
 
@@ -307,10 +322,11 @@ export class Picture extends Held {
     });
   }
   /** The colours for a canvas. */
-  imageData() {
-    const { data, shape } = this.channel('color') ?? {};
-    if (!data) throw new ZrasterError('bad-request', 'the picture has no colours');
-    return new ImageData(new Uint8ClampedArray(data.buffer), shape[1], shape[0]);
+  imageData() { return imageOf(this.pixels()); }
+  pixels() {
+    const colours = this.channel('color');
+    if (!colours) throw new ZrasterError('bad-request', 'the picture has no colours');
+    return colours;
   }
   get hasAlpha() { return this.z.call('zraster_picture_has_alpha', this.at) !== 0; }
   get look() { return this.z.string(this.z.call('zraster_picture_look', this.at)); }

@@ -39,7 +39,7 @@ export function drawsAlike(z, build, file, options = {}, type) {
     picture.free();
   } catch (error) {
     if (!error.status) throw error;
-    fault = error.message.split('\n')[0];
+    fault = error.message.split('\n')[0].replace(/^parameter \w+: /, ''); /* --NAME: in the command */
   }
   const isSame = got ? status === 0 : status !== 0 && String(stderr).includes(fault);
   if (!isSame) throw new Error(`command: ${status === 0 ? 'drawn' : stderr}; module: ${got ? 'drawn' : fault}`);

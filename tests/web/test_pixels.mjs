@@ -1,9 +1,12 @@
-/* test_pixels.mjs BUILD MODULE: all scenes of tests/scenes, as they are and with other channels, and models in all looks, by the
- * module in Node and by the command: the same pixels. */
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+/* test_pixels.mjs BUILD MODULE: all scenes of tests/scenes, as they are and with other channels, all encodings, textures of all formats, and
+ * models in all looks, by the module in Node and by the command: the same pixels. */
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { load } from '../../clients/web/zraster.mjs';
-import { drawsAlike, end, test } from './check.mjs';
+import { drawsAlike, end, sameBytes, test } from './check.mjs';
 
 const [build, module] = process.argv.slice(2);
 const z = await load(readFileSync(module));
@@ -27,6 +30,23 @@ for (const name of ['beetle', 'cow', 'fandisk', 'spot', 'stanford-bunny', 'suzan
   else for (const look of z.tables.looks)
     await test(`${name}, ${look}`, () => same(file, { look, width: '320', height: '240' }));
 }
+
+const work = mkdtempSync(join(tmpdir(), 'zraster-')), command = (...words) => spawnSync(join(build, 'zraster'), [...words, '-o', '-'], { maxBuffer: 2 ** 28 }).stdout;
+for (const { name: channel, encodings } of z.tables.channels)
+  for (const encoding of encodings)
+    await test(`${channel} as ${encoding}`, () => same('clients/examples/cube.json', { channel, encoding }));
+for (const encoding of ['jpeg', 'png', 'webp'])
+  await test(`a texture as ${encoding}`, () => {
+    const image = command('tests/scenes/look-textures.json', '--channel', 'color', '--encoding', encoding), file = join(work, 'scene.json');
+    const mesh = { positions: [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], faces: [[0, 1, 2, 3]], texcoords: [[0, 0], [1, 0], [1, 1], [0, 1]], material: 'a' };
+    const scene = JSON.stringify({ materials: [{ name: 'a', baseColorTexture: { asset: 'image' } }], meshes: [mesh] });
+    writeFileSync(join(work, 'image'), image);
+    writeFileSync(file, scene);
+    const want = command(file);
+    assert.ok(want.length > 1000);
+    sameBytes(want, z.draw(scene, { parts: { image } }).encode().bytes);
+  });
+rmSync(work, { recursive: true });
 console.log(`# ${refused} of them refused by both`);
 console.log(`# ${z.memory >> 20} MiB of memory`);
 end();

