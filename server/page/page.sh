@@ -22,13 +22,14 @@ policy_hash() { # FILE
         }'
 }
 
-left_out='^$'
-[ "$has_daemon" = false ] || left_out='/engine\.js$'
+left_out='/daemon\.js$' kind=site
+[ "$has_daemon" = false ] || left_out='/engine\.js$' kind=daemon
 
 # A policy has the hash of the text between the tags, line ends included. The rows' enums of C are left out.
-{ echo "'use strict'; const HAS_DAEMON = $has_daemon;" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d' && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt | grep -v "$left_out"); } >"$work/script"
-sed 's/^ *//' $page/colors.css $page/page.css >"$work/style"
-awk -v script="$work/script" -v style="$work/style" '
+{ echo "'use strict'; const HAS_DAEMON = $has_daemon;" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d' && sed '/^ *\/\//d; s/^ *//; s| // [a-z`].*||' $(sed "s|^|$page/|" $page/scripts.txt | grep -v "$left_out"); } >"$work/script"
+sed 's/^ *//; /^\/\*.*\*\/$/d' $page/colors.css $page/page.css >"$work/style"
+# Lines between <!-- daemon --> or <!-- site --> and <!-- all --> are for that kind of page.
+awk -v script="$work/script" -v style="$work/style" -v kind="$kind" '
     function put(tag, file, line) {
         printf "<%s>", tag
         while ((getline line <file) > 0) print line
@@ -36,11 +37,12 @@ awk -v script="$work/script" -v style="$work/style" '
     }
     /<!-- style -->/ { put("style", style); next }
     /<!-- script -->/ { put("script", script); next }
-    { sub(/^ */, ""); print }' $page/index.html >"$work/page"
+    /<!-- (daemon|site|all) -->/ { is_out = !index($0, kind) && !/ all /; next }
+    !is_out { sub(/^ */, ""); print }' $page/index.html >"$work/page"
 
 # The engine's modules are imported, compiled and run in Workers.
-of_engine=
-[ "$has_daemon" = true ] || of_engine=" 'self' 'wasm-unsafe-eval'"
+of_engine= of_pictures=
+[ "$has_daemon" = true ] || of_engine=" 'self' 'wasm-unsafe-eval'" of_pictures=" 'self'"
 printf '%s' "default-src 'none'; script-src 'sha256-$(policy_hash "$work/script")'$of_engine; style-src 'sha256-$(policy_hash "$work/style")'; \
-img-src data: blob:; connect-src 'self'; ${of_engine:+worker-src 'self'; }base-uri 'none'; form-action 'none'; \
+img-src data: blob:$of_pictures; connect-src 'self'; ${of_engine:+worker-src 'self'; }base-uri 'none'; form-action 'none'; \
 require-trusted-types-for 'script'" >"$work/policy"

@@ -135,6 +135,7 @@ async function drawOnce({ isRough }) {
 let movieUrl = '';
 
 async function show({ blob, image }) {
+  byId('poster')?.remove();
   const canvas = byId('picture'), movie = byId('movie'), is = isMovie();
   if (is) {
     if (movieUrl) URL.revokeObjectURL(movieUrl);

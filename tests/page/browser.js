@@ -145,6 +145,46 @@ function run(name, text, kind = 'sh') {
   return { bytes: fs.existsSync(file) ? fs.readFileSync(file) : Buffer.alloc(0), error: result.stderr };
 }
 
+// What a visitor sees at first, at 1440 x 900: a picture, controls and one sentence; no JSON, and nothing that scrolls.
+async function firstMinute(page) {
+  const seen = await page.evaluate(() => ({
+    text: document.body.innerText,
+    parts: byId('parts').children.length,
+    looks: [...byId('looks').querySelectorAll('canvas')].filter((canvas) => new Set(new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size > 10).length,
+    scrolls: [...document.querySelectorAll('*')].filter((node) => node.clientHeight && node.scrollHeight > node.clientHeight + 1 && node.offsetParent &&
+      /auto|scroll/.test(getComputedStyle(node).overflowY)).map((node) => node.id || node.className || node.tagName),
+    page: document.documentElement.scrollHeight - innerHeight,
+  }));
+  check('no JSON is shown until it is asked for', await page.isHidden('#text') && !/[{}"]/.test(seen.text), seen.text);
+  check('one sentence tells of zraster, another one to drop a model', /draws.*\. Drop one/i.test(await page.textContent('#about')));
+  check('the example has a picture, the list of its parts and a picture in each look', seen.parts === 18 && seen.looks === 9, seen);
+  check('nothing scrolls at 1440 x 900', seen.page <= 1 && seen.scrolls.length === 0, [seen.page, seen.scrolls]);
+}
+
+// The controls of the tab Model change the text.
+async function modelControls(page) {
+  const scene = async () => JSON.parse(await page.inputValue('#text'));
+  await redrawn(page, () => page.selectOption('#example', 'bearing'));
+  await quiet(page);
+  await page.waitForFunction(() => byId('parts').children.length === 18);
+  check('the facts of the model', /^18 parts, 36,765 triangles, 84 × 54.8 × 84/.test(await page.textContent('#model-facts')), await page.textContent('#model-facts'));
+  await redrawn(page, () => page.click('#cut button[value=x]'));
+  check('a cut is a plane', JSON.stringify((await scene()).sections) === '{"planes":[{"axis":"x","fraction":0.5}]}', (await scene()).sections);
+  const steps = await page.evaluate(() => past.length);
+  await redrawn(page, async () => {
+    for (const value of [40, 30, 20]) await page.evaluate((value) => { byId('cut-at').value = value; byId('cut-at').dispatchEvent(new Event('input')); }, value);
+  });
+  check('a slider moves it, in one step of undo', (await scene()).sections.planes[0].fraction === 0.2 && await page.evaluate(() => past.length) === steps + 1, (await scene()).sections);
+  check('the picture is whole again', await page.evaluate(() => byId('picture').width === pictureSize().width));
+  await redrawn(page, () => page.click('#cut button[value=""]'));
+  await redrawn(page, () => page.evaluate(() => { byId('apart').value = 100; byId('apart').dispatchEvent(new Event('input')); }));
+  await redrawn(page, () => page.click('#parts input[value=gear]'));
+  check('without a cut, taken apart, one part hidden', (await scene()).sections === undefined && (await scene()).explode === 1 && String((await scene()).hide) === 'gear', await scene());
+  await redrawn(page, () => page.click('#parts input[value=gear]'));
+  check('shown again', (await scene()).hide === undefined && await page.isChecked('#parts input[value=gear]'));
+  check('controls: nothing in the console', page.faults.length === 0, page.faults);
+}
+
 // Pictures of the screen. In firefox, playwright adds a style for them, which the policy refuses and reports.
 async function shot(page, name) {
   const folder = path.join(shots, named);
@@ -202,4 +242,4 @@ async function main(tests) {
   process.exit(failed || !count ? 1 : 0);
 }
 
-module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, quiet, eachExample, pictures, orbit, violations, saved, doubleClick, run, shot, main };
+module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, pictures, orbit, violations, saved, doubleClick, run, shot, main };

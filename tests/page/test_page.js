@@ -5,14 +5,14 @@ const fs = require('fs');
 const path = require('path');
 const figures = require('./figures.js');
 const lesson = require('./lesson.js');
-const { work, check, daemon, open, drawn, redrawn, quiet, eachExample, orbit, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
+const { work, check, daemon, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, orbit, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
 
 const assets = path.join(work, 'assets');
 fs.mkdirSync(assets);
 let address = '';
 const textOf = (page) => page.inputValue('#text');
 const sceneOf = async (page) => JSON.parse(await textOf(page));
-const TABS = ['scene', 'channels', 'algorithms', 'pixel', 'lesson'];
+const TABS = ['model', 'scene', 'channels', 'algorithms', 'pixel', 'lesson'];
 
 const tests = {
   figures: (browser) => figures(browser, address),
@@ -23,9 +23,20 @@ const tests = {
       await drawn(page);
       await page.waitForTimeout(300);
       check(`opened ${i + 1}: no message, no report of the policy, no request to elsewhere`, page.faults.length === 0, page.faults);
-      if (i === 0) await shot(page, 'wide-light');
+      if (i === 0) {
+        await page.setViewportSize({ width: 1440, height: 900 });
+        await page.waitForFunction(() => drawnLooks !== '' && byId('parts').children.length);
+        await firstMinute(page);
+        await shot(page, 'wide-light');
+      }
       await page.close();
     }
+  },
+
+  async model(browser) {
+    const page = await open(browser, address);
+    await drawn(page);
+    await modelControls(page);
   },
 
   async examples(browser) {
@@ -122,6 +133,7 @@ const tests = {
   async errors(browser) {
     const page = await open(browser, address);
     await drawn(page);
+    await page.click('#tab-scene');
     const refused = () => page.waitForFunction(() => !byId('faults').hidden && state.isRefused);
     await page.fill('#text', '{\n  "look": "studi",\n  "polygons": [\n    {"vertices": [[0, 0, 0], [1, 0, 0], [0, 1]], "colour": "red"}\n  ]\n}\n');
     await refused();
@@ -194,7 +206,7 @@ const tests = {
       await page.keyboard.press('Tab');
       order.push(await page.evaluate(() => { const at = document.activeElement; return at.id || at.value || at.tagName; }));
     }
-    const wanted = ['open', 'example', 'copy', 'theme', 'A', 'help', 'frame', 'one', 'sheet', 'three', 'turntable', 'box', 'title', 'triad', 'scale', 'labels', 'holes', 'save', 'look-studio', 'tab-scene', 'text'];
+    const wanted = ['open', 'example', 'copy', 'theme', 'A', 'help', 'frame', 'one', 'sheet', 'three', 'turntable', 'box', 'title', 'triad', 'scale', 'labels', 'holes', 'save', 'look-studio', 'tab-model', 'panel-model'];
     check('Tab goes header, picture, views, looks, tabs, panel', String(order.slice(0, wanted.length)) === String(wanted), order);
     for (const mark of ['holes', 'box']) await redrawn(page, () => page.click(`#marks button[value=${mark}]`));
     check('marks are in the order of the list', String((await sceneOf(page)).annotate) === 'box,holes');

@@ -18,7 +18,8 @@ cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt
 
 # Lists and files by the addresses of the daemon.
 server/page/examples.sh "$work" >"$work/examples"
-node clients/web/site/looks.mjs "$package" >"$out/v1/looks"
+mkdir "$out/looks"
+node clients/web/site/looks.mjs "$package" "$work" "$out/looks" >"$out/v1/looks"
 awk -F '|' '
     $3 != "" {
         list = $4
