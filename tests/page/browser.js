@@ -17,7 +17,7 @@ const BROWSERS = {
   chromium: {
     kind: chromium, path: process.env.CHROMIUM || '/usr/bin/chromium', options: { args: process.getuid() === 0 ? ['--no-sandbox'] : [] }, leaves: [],
   },
-  firefox: { kind: firefox, path: process.env.FIREFOX || '/usr/bin/firefox-esr', options: { channel: 'moz-firefox' }, leaves: ['touch', 'offline'] },
+  firefox: { kind: firefox, path: process.env.FIREFOX || '/usr/bin/firefox-esr', options: { channel: 'moz-firefox' }, leaves: ['touch', 'offline', 'first'] },
 };
 
 let count = 0, failed = 0, named = '';

@@ -59,14 +59,14 @@ const tests = {
 
   // Before the module is there.
   async first(browser) {
-    const page = await open(browser, 'about:blank', { hash: '' }), pictures = [];
+    const page = await open(browser, address, { hash: '/docs/index.html' }), pictures = [];
     await page.route('**/*.wasm', () => {});
-    page.on('response', (response) => { if (response.url().endsWith('.webp')) pictures.push(path.basename(response.url())); });
+    page.on('response', (response) => { if (/looks\/.*webp$/.test(response.url())) pictures.push(path.basename(response.url())); });
     await page.goto(address);
     await page.waitForFunction(() => [...byId('looks').querySelectorAll('canvas')].filter((canvas) => canvas.getContext('2d').getImageData(80, 60, 1, 1).data[3]).length === 9);
     check('the first picture is there before the module', await page.evaluate(() => document.querySelector('#poster img').naturalWidth) === 720 && await page.isVisible('#poster img'));
     check('each look has a picture before the module', pictures.length === 10 && pictures.includes('first.webp'), pictures);
-    const dark = await open(browser, 'about:blank', { colorScheme: 'dark', hash: '' }), darkPictures = [];
+    const dark = await open(browser, address, { colorScheme: 'dark', hash: '/docs/index.html' }), darkPictures = [];
     dark.on('request', (request) => { if (/first/.test(request.url())) darkPictures.push(path.basename(request.url())); });
     await dark.goto(address);
     check('a dark page begins with the dark look', String(darkPictures) === 'first-dark.webp', darkPictures);
