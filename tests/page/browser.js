@@ -185,6 +185,26 @@ async function modelControls(page) {
   check('controls: nothing in the console', page.faults.length === 0, page.faults);
 }
 
+// The gallery of the manual: columns of 480 pixels, one column in narrow windows, and other pictures on dark pages.
+async function gallery(browser, address, hash) {
+  for (const [width, colorScheme, columns] of [[1440, 'light', 2], [1920, 'light', 3], [390, 'dark', 1]]) {
+    const page = await open(browser, address, { viewport: { width, height: 900 }, colorScheme, hash });
+    const cards = await page.$$eval('.card', (list) => Promise.all(list.map(async (card) => {
+      const image = card.querySelector('img'), { left, right } = card.getBoundingClientRect();
+      image.loading = 'eager';
+      await image.decode();
+      return { left: Math.round(left), right, shown: image.currentSrc, width: image.width, asked: Number(image.getAttribute('width') || 0), isOne: Boolean(card.querySelector('source')) };
+    })));
+    const lefts = new Set(cards.map(({ left }) => left)), large = cards.filter(({ asked }) => asked === 480);
+    check(`gallery, ${width} px: ${columns} columns`, lefts.size === columns && cards.every(({ right }) => right <= width), [...lefts]);
+    check(`gallery, ${width} px: pictures have ${Math.min(480, width - 32)} pixels`, large.length >= 12 && large.every((card) => card.width === Math.min(480, width - 32)), large);
+    if (named !== 'firefox') check(`gallery, ${colorScheme}: pictures of the mode`, cards.filter(({ isOne }) => isOne).length === 4 && cards.every(({ isOne, shown }) => /-dark\.webp/.test(shown) === (isOne && colorScheme === 'dark')), cards);
+    check(`gallery, ${width} px: axe finds nothing`, (await violations(page)).length === 0, await violations(page));
+    await shot(page, `gallery-${width}-${colorScheme}`);
+    await page.close();
+  }
+}
+
 // Pictures of the screen. In firefox, playwright adds a style for them, which the policy refuses and reports.
 async function shot(page, name) {
   const folder = path.join(shots, named);
@@ -242,4 +262,4 @@ async function main(tests) {
   process.exit(failed || !count ? 1 : 0);
 }
 
-module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, pictures, orbit, violations, saved, doubleClick, run, shot, main };
+module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, gallery, pictures, orbit, violations, saved, doubleClick, run, shot, main };

@@ -4,7 +4,7 @@
 const fs = require('fs');
 const path = require('path');
 const zlib = require('zlib');
-const { build, work, check, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, violations, run, shot, main } = require('./browser.js');
+const { build, work, check, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, gallery, violations, run, shot, main } = require('./browser.js');
 
 const site = path.join(build, 'site');
 // The file of that name in the folder DATA, if it is there.
@@ -185,6 +185,8 @@ const tests = {
     await page.context().setOffline(false);
   },
 
+  gallery: (browser) => gallery(browser, address, '/docs/gallery.html'),
+
   async manual(browser) {
     const page = await open(browser, address);
     const dead = [], scenes = [], seen = new Set(), links = [address + '/docs/index.html'];
@@ -195,7 +197,7 @@ const tests = {
       const response = await page.request.get(link);
       if (!response.ok()) dead.push(link);
       if (!/text\/html/.test(response.headers()['content-type'] || '')) continue;
-      for (const [, href] of (await response.text()).matchAll(/(?:href|src)="([^"]*)"/g))
+      for (const [, href] of (await response.text()).matchAll(/(?:href|src|srcset)="([^"]*)"/g))
         if (href.includes('#%7B')) scenes.push(new URL(href, link).href);
         else if (!/^(data|mailto):|&hellip;|…/.test(href)) links.push(new URL(href.replace(/&amp;/g, '&'), link).href);
     }
