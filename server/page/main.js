@@ -48,5 +48,6 @@ async function start() {
   }
 }
 
+if (HAS_DAEMON && HAS_ENGINE) onRest(() => openEngine().catch(() => {})); // so that it is there when the model turns
 if (!HAS_DAEMON && 'serviceWorker' in navigator) navigator.serviceWorker.register('offline.js').catch(() => {});
 start();

@@ -60,7 +60,7 @@ function assetsOf(text) {
 
 let bundle = { text: null };
 
-// Returns the files of a text, {assets, parts}. Uploads them if the daemon keeps files.
+// Returns the files of a text: `assets` that it names, `all` that are here, and `parts` to send. Uploads them if the daemon keeps files.
 async function prepare(text) {
   if (bundle.text === text) return bundle;
   const assets = assetsOf(text);
@@ -69,19 +69,22 @@ async function prepare(text) {
   const isTogether = used.some((file) => file.together);
   const isStored = HAS_DAEMON && server.keepsAssets && !isTogether;
   if (isStored) await Promise.all([...new Set(used)].filter((file) => !file.sha256).map(upload));
-  let parts = [];
-  if (!isStored || !server.keepsAssets) {
-    const names = new Set(assets.map(({ name }) => name));
-    parts = [...files].filter(([name, file]) => file.blob && (names.has(name) || (isTogether && file.together)));
-  }
-  bundle = { text, assets, parts };
+  const names = new Set(assets.map(({ name }) => name));
+  const all = [...files].filter(([name, file]) => file.blob && (names.has(name) || (isTogether && file.together)));
+  bundle = { text, assets, all, parts: isStored && server.keepsAssets ? [] : all };
   return bundle;
 }
 
 // Renders the text with other values at the top, such as {samples: 1}. Returns the bytes, times and warnings; of several
 // outputs the bytes of each: parts.get('depth').
 async function render(text, changes, query, signal, isRough = false) {
-  return HAS_DAEMON ? renderThere(text, changes, query, signal) : renderHere(text, changes, query, signal, isRough);
+  const isHere = HAS_ENGINE && (!HAS_DAEMON || isRough && motion.is && engine.rough);
+  try {
+    if (isHere) return await renderHere(text, changes, query, signal, isRough);
+  } catch (error) {
+    if (!HAS_DAEMON || error.name === 'AbortError') throw error;
+  }
+  return renderThere(text, changes, query, signal);
 }
 
 // The numbers of an NPY file: float32 or uint32, row by row.

@@ -5,7 +5,7 @@ const fs = require('fs');
 const path = require('path');
 const figures = require('./figures.js');
 const lesson = require('./lesson.js');
-const { work, check, daemon, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, orbit, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
+const { build, work, check, daemon, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, orbit, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
 
 const assets = path.join(work, 'assets');
 fs.mkdirSync(assets);
@@ -31,6 +31,53 @@ const tests = {
       }
       await page.close();
     }
+  },
+
+  // A daemon with --engine-dir: the page draws while the model turns, and the daemon when it is still.
+  async engine(browser) {
+    const folder = [path.join(build, 'npm/zraster'), 'build/npm/zraster'].find((name) => fs.existsSync(name));
+    if (!folder) {
+      console.error('LEFT OUT: engine: there is no package; make npm builds it');
+      return;
+    }
+    const page = await open(browser, await daemon('--assets-dir', assets, '--engine-dir', folder)), asked = [];
+    page.on('request', (request) => { if (/v1\/render/.test(request.url())) asked.push(request.url()); });
+    await drawn(page);
+    await page.waitForFunction(() => engine.rough, null, { timeout: 30000 });
+    await quiet(page);
+    const turn = async (ms) => {
+      const before = await page.evaluate(() => motion.frames);
+      await page.mouse.move(400, 300);
+      await page.mouse.down();
+      for (let i = 0, began = Date.now(); Date.now() - began < ms; i++) {
+        await page.mouse.move(400 + 100 * Math.sin(i / 40), 300 + 40 * Math.cos(i / 30));
+        await page.waitForTimeout(8);
+      }
+      return await page.evaluate(() => motion.frames) - before;
+    };
+    for (const name of ['bearing', 'pawns']) {
+      await redrawn(page, () => page.selectOption('#example', name));
+      await page.waitForFunction(() => drawnLooks === state.version + JSON.stringify(state.camera) && !isPumping, null, { timeout: 20000 });
+      await page.waitForTimeout(300);
+      asked.length = 0;
+      const frames = await turn(1000), before = asked.length;
+      check(`${name}: it turns without a request`, frames >= 5 && before === 0, [frames, asked]);
+      await redrawn(page, () => page.mouse.up());
+      check(`${name}: still, the daemon draws it`, asked.length >= 1, asked);
+      await quiet(page);
+      const bytes = await saved(page);
+      await page.click('#copy');
+      await page.click('#copy-curl');
+      const result = run('engine-' + name, await page.textContent('#copied'));
+      await page.click('#copy-dialog .close');
+      check(`${name}: the picture is the daemon's, byte for byte`, bytes.length > 100 && bytes.equals(result.bytes), `${bytes.length} and ${result.bytes.length} bytes; ${result.error}`);
+    }
+    await page.evaluate(() => { engine.rough.picture = () => { throw new Error('no'); }; });
+    asked.length = 0;
+    const frames = await turn(500), requests = asked.length;
+    await redrawn(page, () => page.mouse.up());
+    check('when the page cannot draw, the daemon does', frames > 0 && requests > 0 && await page.isHidden('#note'), [frames, requests]);
+    check('engine: nothing in the console', page.faults.length === 0, page.faults);
   },
 
   async model(browser) {

@@ -9,7 +9,7 @@ mkdir -p "$out/engine" "$out/v1/examples" "$work"
 export LC_ALL=C
 
 # The page, whose policy is in it: a server of files sends none.
-server/page/page.sh "$work" false
+server/page/page.sh "$work" site
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
 # The scripts of the renderer, without comments of a whole line and without scripts for Node.
