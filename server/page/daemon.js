@@ -1,6 +1,16 @@
 // The daemon: its token, uploads, and pictures.
 
-const server = { token: '', keepsAssets: true, asking: null };
+const server = { token: '', keepsAssets: true, asking: null, limits: null };
+
+// Asks once whether the daemon keeps files.
+async function askForLimits() {
+  try {
+    server.limits ??= call('v1/limits').then((response) => response.json());
+    if ((await server.limits).keepsAssets === false) server.keepsAssets = false;
+  } catch {
+    server.limits = null;
+  }
+}
 
 function askForToken() {
   const dialog = byId('token');

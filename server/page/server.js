@@ -64,6 +64,7 @@ let bundle = { text: null };
 async function prepare(text) {
   if (bundle.text === text) return bundle;
   const assets = assetsOf(text);
+  if (HAS_DAEMON && assets.length) await askForLimits();
   await Promise.all(assets.map(({ name }) => name).filter((name) => !files.has(name)).map(find));
   const used = assets.map(({ name }) => files.get(name)).filter((file) => file && file.blob);
   const isTogether = used.some((file) => file.together);

@@ -143,9 +143,10 @@ static const char contract[] = ZR_SCHEMA({
                     "content": {
                         "application/json": {
                             "schema": {
-                                "type": "object", "required": ["version", "limits"],
+                                "type": "object", "required": ["version", "keepsAssets", "limits"],
                                 "properties": {
                                     "version": {"type": "string"},
+                                    "keepsAssets": {"type": "boolean"},
                                     "limits": {"type": "object", "additionalProperties": {"type": "number"}}
                                 }
                             }

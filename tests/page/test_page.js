@@ -5,7 +5,7 @@ const fs = require('fs');
 const path = require('path');
 const figures = require('./figures.js');
 const lesson = require('./lesson.js');
-const { build, work, check, daemon, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, orbit, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
+const { build, work, check, daemon, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, pictures, orbit, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
 
 const assets = path.join(work, 'assets');
 fs.mkdirSync(assets);
@@ -45,24 +45,25 @@ const tests = {
     await drawn(page);
     await page.waitForFunction(() => engine.rough, null, { timeout: 30000 });
     await quiet(page);
-    const turn = async (ms) => {
-      const before = await page.evaluate(() => motion.frames);
-      await page.mouse.move(400, 300);
-      await page.mouse.down();
-      for (let i = 0, began = Date.now(); Date.now() - began < ms; i++) {
-        await page.mouse.move(400 + 100 * Math.sin(i / 40), 300 + 40 * Math.cos(i / 30));
-        await page.waitForTimeout(8);
-      }
-      return await page.evaluate(() => motion.frames) - before;
-    };
+    // Moves come from the page itself: on a busy machine those of the test would be still between two.
+    const turn = (ms) => page.evaluate((ms) => new Promise((done) => {
+      const frames = motion.frames, text = state.text, timer = setInterval(() => move((camera) => { camera.azimuth += 0.5; }), 4);
+      setTimeout(() => { clearInterval(timer); done({ frames: motion.frames - frames, isStill: state.text !== text }); }, ms);
+    }), ms);
     for (const name of ['bearing', 'pawns']) {
       await redrawn(page, () => page.selectOption('#example', name));
       await page.waitForFunction(() => drawnLooks === state.version + JSON.stringify(state.camera) && !isPumping, null, { timeout: 20000 });
       await page.waitForTimeout(300);
-      asked.length = 0;
-      const frames = await turn(1000), before = asked.length;
-      check(`${name}: it turns without a request`, frames >= 5 && before === 0, [frames, asked]);
-      await redrawn(page, () => page.mouse.up());
+      let turned, before, requests;
+      for (let tries = 0; tries === 0 || (turned.isStill && tries < 5); tries++) {
+        before = await pictures(page);
+        asked.length = 0;
+        turned = await turn(1000);
+        requests = [...asked];
+        await drawn(page, before + 1);
+        await page.waitForFunction(() => drawnLooks === state.version + JSON.stringify(state.camera) && !isPumping, null, { timeout: 20000 });
+      }
+      check(`${name}: it turns without a request`, turned.frames >= 2 && requests.length === 0, [turned, requests]);
       check(`${name}: still, the daemon draws it`, asked.length >= 1, asked);
       await quiet(page);
       const bytes = await saved(page);
@@ -74,8 +75,7 @@ const tests = {
     }
     await page.evaluate(() => { engine.rough.picture = () => { throw new Error('no'); }; });
     asked.length = 0;
-    const frames = await turn(500), requests = asked.length;
-    await redrawn(page, () => page.mouse.up());
+    const { frames } = await turn(500), requests = asked.length;
     check('when the page cannot draw, the daemon does', frames > 0 && requests > 0 && await page.isHidden('#note'), [frames, requests]);
     check('engine: nothing in the console', page.faults.length === 0, page.faults);
   },
@@ -402,8 +402,7 @@ const tests = {
       await quiet(page);
       const middle = await page.evaluate(() => [...byId('picture').getContext('2d').getImageData(byId('picture').width / 2, byId('picture').height / 2, 1, 1).data]);
       check(`${label}: files that refer to each other are dropped together`, middle[0] > 2 * middle[1], middle);
-      const others = page.faults.filter((fault) => !/status of 404/.test(fault));
-      check(`${label}: nothing else in the console`, others.length === 0, page.faults);
+      check(`${label}: nothing in the console, such as a 404`, page.faults.length === 0, page.faults);
       await page.close();
     }
     const page = await open(browser, address);

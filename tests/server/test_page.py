@@ -173,6 +173,11 @@ class Engine(unittest.TestCase):
             self.assertEqual(b"HAS_ENGINE = true" in script, has_engine)
             self.assertLessEqual(len(gzip.compress(data, 9, mtime=0)), PAGE_MOST)
 
+    def test_limits(self):
+        """/v1/limits says whether assets are stored, so that the page uploads none in vain"""
+        for flags, stored in (([], False), (["--assets-dir", self.folder], True)):
+            self.assertIs(json.loads(self.start(*flags).send("/v1/limits")[2])["keepsAssets"], stored)
+
     def test_none(self):
         """without the option, or the page, there are no files"""
         for flags, word in ((["--engine-dir="], "--engine-dir"), (["--page=off"], "--page=on")):
