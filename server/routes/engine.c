@@ -21,9 +21,8 @@
 static const struct {
     const char *name, *type;
 } FILES[] = {
-    {"browser.mjs", SCRIPT},       {"errors.mjs", SCRIPT},  {"options.mjs", SCRIPT},
-    {"worker.mjs", SCRIPT},        {"zraster.mjs", SCRIPT}, {"zraster.wasm", MODULE},
-    {"worker_thread.mjs", SCRIPT}, {"zraster-scalar.wasm", MODULE},
+    {"browser.mjs", SCRIPT}, {"errors.mjs", SCRIPT},   {"options.mjs", SCRIPT},       {"worker.mjs", SCRIPT},
+    {"zraster.mjs", SCRIPT}, {"zraster.wasm", MODULE}, {"worker_thread.mjs", SCRIPT}, {"zraster-scalar.wasm", MODULE},
 };
 
 enum { COUNT = sizeof FILES / sizeof FILES[0], BYTES_MAX = 16 << 20, TAG_BYTES = 12, TAG_SIZE = 2 * TAG_BYTES + 1 };
@@ -123,8 +122,8 @@ struct engine *engine_read(const struct config *config, char *message, size_t me
         fault = add_file(engine, path);
     }
     if (!fault) return engine;
-    snprintf(message, message_size, "--engine-dir: %s: %s; the folder needs the package for JavaScript, of make npm", path,
-             fault);
+    snprintf(message, message_size, "--engine-dir: %s: %s; the folder needs the package for JavaScript, of make npm",
+             path, fault);
     engine_free(engine);
     return NULL;
 }

@@ -1,5 +1,6 @@
-/* engine.h - the package for JavaScript, with which the page draws by itself while a model turns: files of --engine-dir, which are read at the
- * start and served below /engine/. */
+/* engine.h - the package for JavaScript, with which the page draws by itself while a model turns.
+ *
+ * The files of --engine-dir are read at the start, and served below /engine/. */
 #ifndef ZRASTERD_ENGINE_H
 #define ZRASTERD_ENGINE_H
 
@@ -11,8 +12,8 @@
 struct config;
 struct engine; /* constant after engine_read */
 
-/* Reads the files that the page needs, and compresses them. Returns NULL if one cannot be read; `message` names it and the reason. Without
- * --engine-dir, the engine has no files. Free with engine_free, which takes NULL, too. */
+/* Reads the files that the page needs, and compresses them. Returns NULL if one cannot be read; `message` names it and
+ * the reason. Without --engine-dir, the engine has no files. Free with engine_free, which takes NULL, too. */
 struct engine *engine_read(const struct config *config, char *message, size_t message_size);
 void engine_free(struct engine *engine);
 

@@ -111,7 +111,8 @@ bool engine_open(const struct service *service, struct request *request, struct 
     } else if (engine_is_there(service->engine)) {
         problem_answer(answer, 404, "the page has no file '%.100s'", name);
     } else {
-        problem_answer(answer, 404, "the page does not draw by itself; start zrasterd with --engine-dir=DIRECTORY for that");
+        problem_answer(answer, 404,
+                       "the page does not draw by itself; start zrasterd with --engine-dir=DIRECTORY for that");
     }
     return false;
 }
