@@ -11,12 +11,12 @@ function buildLooks() {
       el('canvas', { width: 160, height: 120, 'aria-hidden': 'true' }), el('span', {}, look.name));
   }));
   showLook();
-  if (!HAS_DAEMON) for (const { name } of looks) showTile(name);
+  for (const { name } of looks) showTile(name).catch(() => {});
 }
 
-// Shows the picture of the first example that is there beside the page, until this scene is drawn.
+// Until this scene is drawn, shows a picture that is there: of the first example, or that of the manual.
 async function showTile(name) {
-  const canvas = tileOf(name), blob = await (await fetch(`looks/${name}.webp`)).blob();
+  const canvas = tileOf(name), blob = await (await fetch(HAS_DAEMON ? `docs/pictures/look-${name}.png` : `looks/${name}.webp`)).blob();
   if (!canvas.dataset.drawn) await paint(canvas, blob);
 }
 

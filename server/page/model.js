@@ -60,9 +60,10 @@ function listenToModel() {
 onRest(async (signal) => {
   if (!state.isValid || isSeveral()) return;
   const { parts = [], counts, bounds, unit } = await loadInfo(signal);
-  const size = bounds ? bounds.max.map((most, i) => round(most - bounds.min[i], 4)).join(' × ') + ` ${unit || ''}` : '';
+  const size = bounds && !state.scene.explode ? bounds.max.map((most, i) => round(most - bounds.min[i], 4)).join(' × ') + ` ${unit || ''}` : '';
   byId('model-facts').textContent = `${parts.length} ${parts.length === 1 ? 'part' : 'parts'}, ${counts.triangles.toLocaleString('en')} triangles` + (size && `, ${size}`);
   const names = JSON.stringify(parts.map(({ name, color }) => [name, color]));
+  byId('apart').disabled = parts.length < 2;
   if (listedParts !== names) listParts(parts);
   listedParts = names;
   showModel();

@@ -33,6 +33,16 @@ const tests = {
     }
   },
 
+  // Before the first picture is drawn.
+  async tiles(browser) {
+    const page = await open(browser, address, { hash: '/docs/' });
+    await page.route('**/v1/render*', () => {});
+    await page.goto(address);
+    await page.waitForFunction(() => [...byId('looks').querySelectorAll('canvas')].filter((canvas) => canvas.getContext('2d').getImageData(80, 60, 1, 1).data[3]).length === 9);
+    check('each look has a picture before the daemon draws', page.faults.length === 0, page.faults);
+    await page.unrouteAll();
+  },
+
   // A daemon with --engine-dir: the page draws while the model turns, and the daemon when it is still.
   async engine(browser) {
     const folder = [path.join(build, 'npm/zraster'), 'build/npm/zraster'].find((name) => fs.existsSync(name));

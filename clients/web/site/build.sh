@@ -12,8 +12,11 @@ export LC_ALL=C
 server/page/page.sh "$work" site
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
-# The scripts of the renderer, without comments of a whole line and without scripts for Node.
-for file in browser errors options worker worker_thread zraster; do sed '/^ *\/\*.*\*\/$/d; s/^ *//' "$package/$file.mjs" >"$out/engine/$file.mjs"; done
+# Removes indentation, and comments that end a line.
+strip() { sed '/^ *\/\*.*\*\/$/d; s| */\*[^*]*\*/$||; s/^ *//' "$@" | sed '/^\/\*/,/\*\/$/d'; }
+
+# The scripts of the renderer, without those for Node.
+for file in browser errors options worker worker_thread zraster; do strip "$package/$file.mjs" >"$out/engine/$file.mjs"; done
 cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt" "$out/engine"
 
 # Lists and files by the addresses of the daemon.
@@ -51,6 +54,6 @@ version=$(cd "$out" && cat $files | sha256sum | cut -c 1-16)
 {
     echo "const VERSION = '$version';"
     echo "const FILES = ['./', $(echo "$files" | sed "s|^\./\(.*\)|'\1'|" | paste -s -d , | sed 's/,/, /g')];"
-    cat clients/web/site/offline.js
+    strip clients/web/site/offline.js
 } >"$out/offline.js"
 rm -r "$work"
