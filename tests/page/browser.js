@@ -161,6 +161,20 @@ async function firstMinute(page) {
   check('nothing scrolls at 1440 x 900', seen.page <= 1 && seen.scrolls.length === 0, [seen.page, seen.scrolls]);
 }
 
+// Between the sizes of screens: nothing is cut off, and nothing scrolls sideways.
+async function widthsBetween(page) {
+  for (const width of [320, 390, 699, 700, 899, 900, 1024, 1279, 1280]) {
+    await page.setViewportSize({ width, height: 800 });
+    await page.waitForFunction(() => document.documentElement.scrollWidth <= innerWidth, null, { timeout: 5000 }).catch(() => {});
+    const found = await page.evaluate(() => {
+      const about = byId('about'), header = document.querySelector('header');
+      const out = [...header.children].filter((node) => node.offsetParent && (node.getBoundingClientRect().right > innerWidth || node.getBoundingClientRect().bottom > header.getBoundingClientRect().bottom));
+      return { wide: document.documentElement.scrollWidth, cut: about.scrollWidth > about.clientWidth + 1, out: out.map((node) => node.id), select: byId('example').clientWidth, high: header.clientHeight };
+    });
+    check(`${width} px: the header fits, with its sentence`, found.wide <= width && !found.cut && !found.out.length && found.select >= 55 && found.high <= 110, found);
+  }
+}
+
 // The controls of the tab Model change the text.
 async function modelControls(page) {
   const scene = async () => JSON.parse(await page.inputValue('#text'));
@@ -263,4 +277,4 @@ async function main(tests) {
   process.exit(failed || !count ? 1 : 0);
 }
 
-module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, gallery, pictures, orbit, violations, saved, doubleClick, run, shot, main };
+module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, widthsBetween, modelControls, gallery, pictures, orbit, violations, saved, doubleClick, run, shot, main };

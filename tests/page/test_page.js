@@ -5,7 +5,7 @@ const fs = require('fs');
 const path = require('path');
 const figures = require('./figures.js');
 const lesson = require('./lesson.js');
-const { build, work, check, daemon, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, pictures, orbit, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
+const { build, work, check, daemon, open, drawn, redrawn, quiet, eachExample, firstMinute, widthsBetween, modelControls, pictures, orbit, violations, saved, doubleClick, run, shot, main } = require('./browser.js');
 
 const assets = path.join(work, 'assets');
 fs.mkdirSync(assets);
@@ -28,6 +28,7 @@ const tests = {
         await page.waitForFunction(() => drawnLooks !== '' && byId('parts').children.length);
         await firstMinute(page);
         await shot(page, 'wide-light');
+        await widthsBetween(page);
       }
       await page.close();
     }

@@ -4,7 +4,7 @@
 const fs = require('fs');
 const path = require('path');
 const zlib = require('zlib');
-const { build, work, check, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, modelControls, gallery, violations, run, shot, main } = require('./browser.js');
+const { build, work, check, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, widthsBetween, modelControls, gallery, violations, run, shot, main } = require('./browser.js');
 
 const site = path.join(build, 'site');
 // The file of that name in the folder DATA, if it is there.
@@ -49,6 +49,7 @@ const tests = {
     await firstMinute(page);
     await shot(page, 'site-1440-light');
     check('axe finds nothing', (await violations(page)).length === 0, await violations(page));
+    await widthsBetween(page);
     for (const [name, options] of [['site-1440-dark', { viewport: { width: 1440, height: 900 }, colorScheme: 'dark' }], ['site-390', { viewport: { width: 390, height: 844 } }]]) {
       const other = await open(browser, address, options);
       await drawn(other);
