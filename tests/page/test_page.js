@@ -40,7 +40,8 @@ const tests = {
     await page.route('**/v1/render*', () => {});
     await page.goto(address);
     await page.waitForFunction(() => [...byId('looks').querySelectorAll('canvas')].filter((canvas) => canvas.getContext('2d').getImageData(80, 60, 1, 1).data[3]).length === 9);
-    check('each look has a picture before the daemon draws', page.faults.length === 0, page.faults);
+    const faults = page.faults.filter((fault) => !/getImageData/.test(fault)); // that of this test
+    check('each look has a picture before the daemon draws', faults.length === 0, faults);
     await page.unrouteAll();
   },
 
