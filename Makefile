@@ -217,7 +217,7 @@ doc-pictures: ## draws the pictures of the manual anew: clients/docs/pictures/*.
 	@$(MAKE) -s -j$(JOBS) all
 	@rm -rf $(BUILD)/doc-pictures
 	@clients/docs/pictures.sh $(BUILD) $(BUILD)/doc-pictures
-	@cp $(BUILD)/doc-pictures/*.png clients/docs/pictures/
+	@cp $(BUILD)/doc-pictures/*.png $(BUILD)/doc-pictures/*.webp clients/docs/pictures/
 
 .PHONY: test
 test: ## installs what tests need and runs every test
@@ -732,7 +732,7 @@ $(BUILD)/server/site_files.c: server/page/build.sh server/site.sh core/format_ro
 
 # The manual, likewise.
 $(BUILD)/server/manual_files.c: $(wildcard server/manual/*) server/site.sh server/page/index.html server/page/colors.css README.md CHANGELOG.md clients/python/README.md server/api/v1.md \
-		$(wildcard clients/docs/*.md clients/docs/*/*.md clients/docs/pictures/*.png clients/gallery/*.png clients/gallery/*.webp)
+		$(wildcard clients/docs/*.md clients/docs/*/*.md clients/docs/pictures/*.png clients/docs/pictures/*.webp clients/gallery/*.png clients/gallery/*.webp)
 	@mkdir -p $(@D)
 	$(Q)server/manual/build.sh $@
 

@@ -37,6 +37,7 @@ struct config {
     char isa[CONFIG_TEXT_SIZE];             /* "auto", or an instruction set of this machine */
     char metrics[CONFIG_TEXT_SIZE];         /* "on" or "off" */
     char page[CONFIG_TEXT_SIZE];            /* "on" or "off" */
+    char engine_dir[CONFIG_TEXT_SIZE];      /* "": the page does not draw by itself */
     char allow_origin[CONFIG_TEXT_SIZE];    /* list with spaces or commas between its items; "*": all */
     char trusted_proxies[CONFIG_TEXT_SIZE]; /* a list as networks.h has it; "": none */
     char proxy_protocol[CONFIG_TEXT_SIZE];  /* "on" or "off" */

@@ -23,6 +23,7 @@
 #include "mcp/memory.h"
 #include "metrics/metrics.h"
 #include "request.h"
+#include "routes/engine.h"
 #include "routes/health_check.h"
 
 enum { EXIT_USAGE = 2, SPARE_FILES = 192, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
@@ -136,7 +137,7 @@ static void print_faults(char *message)
 }
 
 /* Takes ownership of the gate. */
-static int serve(const struct config *config, struct gate *gate)
+static int serve(const struct config *config, struct gate *gate, const struct engine *engine)
 {
     sigset_t signals;
     char message[512];
@@ -163,6 +164,7 @@ static int serve(const struct config *config, struct gate *gate)
     slowness_start(&slowness, config_isa(config));
     service_init(&service, config, team, &slowness);
     service.gate = gate;
+    service.engine = engine;
     service.kept[KEPT_IMAGES] = images_open(config->keep_image_bytes);
     service.kept[KEPT_TEXTS] = texts_open(config->keep_text_bytes);
     service.kept[KEPT_MESHES] = meshes_open(config->keep_mesh_bytes);
@@ -191,10 +193,13 @@ static int check(const struct config *config)
     char message[CONFIG_MESSAGE_SIZE], fault[CONFIG_MESSAGE_SIZE];
     const bool is_right = config_check_folders(config, message, sizeof message);
     struct gate *gate = gate_read(config, fault, sizeof fault);
-    const bool is_whole = is_right && gate;
     if (!is_right) print_faults(message);
     if (!gate) print_faults(fault);
+    struct engine *engine = engine_read(config, fault, sizeof fault);
+    if (!engine) print_faults(fault);
+    const bool is_whole = is_right && gate && engine;
     if (is_whole) puts(message);
+    engine_free(engine);
     gate_free(gate);
     return is_whole ? EXIT_SUCCESS : EXIT_USAGE;
 }
@@ -229,6 +234,14 @@ int main(int argc, char **argv)
         print_faults(message);
         return EXIT_USAGE;
     }
+    struct engine *engine = engine_read(&config, message, sizeof message);
+    if (!engine) {
+        print_faults(message);
+        gate_free(gate);
+        return EXIT_USAGE;
+    }
     mcp_memory_watch();
-    return serve(&config, gate);
+    const int status = serve(&config, gate, engine);
+    engine_free(engine);
+    return status;
 }

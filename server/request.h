@@ -31,6 +31,8 @@ struct gate; /* gate/gate.h */
 
 struct metrics; /* metrics/metrics.h */
 
+struct engine; /* routes/engine.h */
+
 /* Shared by all requests. Constant, except the gate, the counter and the insides of the store and of the images. */
 struct service {
     const struct config *config;
@@ -42,6 +44,7 @@ struct service {
     struct kept *kept[KEPT_TABLES]; /* NULL: none are kept */
     struct sizes *sizes;            /* of answers of addresses; may be NULL */
     struct metrics *metrics;        /* NULL: nothing is counted */
+    const struct engine *engine;    /* files for the page; NULL: none */
     uint64_t id_base;               /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };

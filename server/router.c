@@ -16,6 +16,7 @@ static const struct route ROUTES[] = {
     {"/", "GET, HEAD", true, site_open, NULL, false, false, false},
     {"/docs", "GET, HEAD", true, manual_open, NULL, false, false, false},
     {MANUAL_PATH, "GET, HEAD", true, manual_open, NULL, false, false, false},
+    {ENGINE_PATH, "GET, HEAD", true, engine_open, NULL, false, false, false},
     {"/v1/examples", "GET, HEAD", false, examples_open, NULL, false, false, false},
     {EXAMPLES_PATH, "GET, HEAD", false, examples_open, NULL, false, false, false},
     {"/v1/looks", "GET, HEAD", false, looks_open, NULL, false, false, false},

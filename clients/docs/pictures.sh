@@ -2,7 +2,8 @@
 # pictures.sh BUILD OUT [NAME...]: draws the pictures of the manual, OUT/NAME.png; without names all of them. A picture is one of
 #   - a block ```json of a page, with or without a file's name, in the line below <!-- picture: NAME -->: a whole scene;
 #   - pictures/NAME.json: a scene that no page shows;
-#   - a line "NAME | COMMAND" of pictures.txt: the command writes NAME.png; "-o NAME.png" is added to its end.
+#   - a line "NAME | COMMAND" of pictures.txt: the command writes NAME.png; "-o NAME.png" is added to its end. For pictures of some size, NAME may
+#     be NAME.webp.
 # Scenes may name these files as assets: part.stl, a solid part; assembly.obj, six named parts; pawn.obj, ball.obj and egg.obj,
 # the models of /v1/examples; gear.obj, housing.obj and bracket.obj; bricks.png and its maps. In scenes of pictures/, "@MODEL" stands for the
 # members of a mesh by gallery/models.awk. OUT/work keeps scenes and files.
@@ -67,11 +68,11 @@ fail() { # NAME
     cat log >&2
     exit 1
 }
-draw() { # NAME COMMAND
+draw() { # NAME COMMAND FILE
     printf '%s\n' "$2" >"$1.sh"
     sh -e "$1.sh" >log 2>&1 || fail "$1"
     [ ! -s log ] || fail "$1"
-    mv "$1.png" "$out/$1.png"
+    mv "$3" "$out/$3"
 }
 wanted() { # NAME NAMES
     case " $2 " in '  ' | *" $1 "*) return 0 ;; esac
@@ -79,17 +80,21 @@ wanted() { # NAME NAMES
 }
 names=$*
 for name in $names; do
-    [ -f "$name.json" ] || grep -q "^$name |" "$docs/pictures.txt" || { echo "error: there is no picture $name" >&2; exit 1; }
+    [ -f "$name.json" ] || grep -Eq "^$name(\.webp)? \|" "$docs/pictures.txt" || { echo "error: there is no picture $name" >&2; exit 1; }
 done
 for scene in *.json; do
     [ -f "$scene" ] || continue
     name=${scene%.json}
     grep -q "^$name |" "$docs/pictures.txt" && continue
-    wanted "$name" "$names" && draw "$name" "zraster $scene --compress small -o $name.png"
+    wanted "$name" "$names" && draw "$name" "zraster $scene --compress small -o $name.png" "$name.png"
 done
 while IFS= read -r line; do
     name=${line%% |*}
     case $line in '#'* | '') continue ;; esac
-    wanted "$name" "$names" && draw "$name" "${line#*| } --compress small -o $name.png"
+    wanted "${name%.webp}" "$names" || continue
+    case $name in
+    *.webp) draw "${name%.webp}" "${line#*| } -o $name" "$name" ;;
+    *) draw "$name" "${line#*| } --compress small -o $name.png" "$name.png" ;;
+    esac
 done <"$docs/pictures.txt"
 exit 0

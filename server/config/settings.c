@@ -29,6 +29,9 @@ static const struct setting ROWS[] = {
     {"metrics", SWITCH, AT(metrics), false, 0, 0, 0, "on", "", "on or off: /metrics for Prometheus, without a token"},
     {"page", SWITCH, AT(page), false, 0, 0, 0, "on", "",
      "on or off: the page at / for browsers and the manual at /docs/"},
+    {"engine-dir", TEXT, AT(engine_dir), false, 0, 0, 0, "", "",
+     "folder of the package for JavaScript (make npm), read at the start: with it, the page itself draws while a model "
+     "turns; empty: none"},
     {"allow-origin", ORIGINS, AT(allow_origin), false, 0, 0, 0, "", "",
      "origins whose web pages may use the daemon (CORS), such as https://example.org, with spaces or commas between "
      "them; *: all; empty: only its own page"},

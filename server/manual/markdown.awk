@@ -1,5 +1,6 @@
 # markdown.awk: turns pages of Markdown into HTML, of the subset that the manual uses: headings, paragraphs, lists, tables, code,
-# quotes, links, pictures, emphasis, and the tags a, img, br, sup, sub, kbd and details.
+# quotes, links, pictures, emphasis, and the tags a, img, picture, br, sup, sub, kbd and details. Between <!-- cards --> and <!-- end of cards -->,
+# each paragraph that begins with a picture begins a card of a grid.
 #
 #   awk -v list=LIST -v out=FOLDER -v pictures=FILE -f markdown.awk
 #
@@ -93,6 +94,8 @@ function tag_of(tag, width, link) {
         width = attribute(tag, "width")
         return "<img src=\"" picture_of(attribute(tag, "src")) "\"" (width == "" ? "" : " width=\"" width "\"") " alt=\"" attribute(tag, "alt") "\" loading=\"lazy\">"
     }
+    if (tag ~ /^<source /)
+        return "<source media=\"" attribute(tag, "media") "\" srcset=\"" picture_of(attribute(tag, "srcset")) "\">"
     if (tag ~ /^<a href=/) {
         link = address_of(attribute(tag, "href"))
         return "<a href=\"" link "\">"
@@ -156,7 +159,7 @@ function inline(s, html, c, n, end, ticks, body, text, rest) {
             body = escape(substr(s, 2, RLENGTH - 2))
             html = html "<a href=\"" body "\">" body "</a>"
             s = substr(s, RLENGTH + 1)
-        } else if (c == "<" && match(s, /^<\/?(a|img|br|sup|sub|kbd|details|summary|b|i)( [^>]*)?\/?>/)) {
+        } else if (c == "<" && match(s, /^<\/?(a|img|picture|source|br|sup|sub|kbd|details|summary|b|i)( [^>]*)?\/?>/)) {
             n = RLENGTH
             html = html tag_of(substr(s, 1, n))
             s = substr(s, n + 1)
@@ -290,6 +293,12 @@ function item(line, column, tag, start) {
     paragraph = substr(line, RLENGTH + 1)
     is_tight = 1
 }
+# Ends a card, and begins a grid of cards, a card or what follows the grid.
+function card(html) {
+    end_blocks()
+    put((in_card ? "</div>" : "") html)
+    in_card = html ~ /"card"/
+}
 function take(line, column) {
     if (in_code == 1) { # fenced
         for (column = 0; column < fence && line ~ /^ /; column++) line = substr(line, 2)
@@ -324,6 +333,12 @@ function take(line, column) {
         was_empty = 1
         return
     }
+    if (line ~ /^<!-- (end of )?cards -->$/) {
+        in_cards = line !~ /end/
+        card(in_cards ? "<div class=\"cards\">" : "</div>")
+        return
+    }
+    if (in_cards && paragraph == "" && line ~ /^<(img|picture)/) card("<div class=\"card\">")
     match(line, /^ */)
     column = RLENGTH
     if (line ~ /^#+ /) heading(line)

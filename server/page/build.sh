@@ -8,9 +8,9 @@ rm -rf "$work"
 mkdir -p "$work"
 . server/site.sh
 
-server/page/page.sh "$work" true
+for kind in daemon both; do server/page/page.sh "$work/$kind" $kind; done
 {
-    echo "$work/page||NULL|NULL|text/html; charset=utf-8"
+    for kind in daemon both; do echo "$work/$kind/page||NULL|NULL|text/html; charset=utf-8"; done
     server/page/examples.sh "$work" | awk -F '|' -v OFS='|' '
         $3 == "" { print $1, $2, "NULL", "NULL", $5; next }
         {
@@ -22,6 +22,8 @@ server/page/page.sh "$work" true
 write_table site <"$work/list"
 cat >>"$out.new" <<END
 
-const char site_policy[] = "$(cat "$work/policy"); frame-ancestors 'none'";
+const char *const site_policies[] = {
+$(for kind in daemon both; do echo "    \"$(cat "$work/$kind/policy"); frame-ancestors 'none'\","; done)
+};
 END
 mv "$out.new" "$out"

@@ -16,13 +16,7 @@ function downloads(names) {
 }
 
 const COPIES = {
-  curl() {
-    const names = copiedNames(), address = quoted(new URL('v1/render' + pictureQuery(), location.href.replace(/#.*/, '')).href);
-    const token = server.token ? ' \\\n  -H "Authorization: Bearer $ZRASTER_TOKEN"' : '';
-    if (!names.length) return `curl -s ${address} -o picture.png${token} \\\n  -H 'Content-Type: application/json' --data-binary @- <<'END'\n${copiedScene()}END\n`;
-    const parts = names.map((name) => ` \\\n  -F ${quoted(`${name}=@${name}`)}`).join('');
-    return `${downloads(names)}curl -s ${address} -o picture.png${token}${parts} \\\n  -F 'scene=<-;type=application/json' <<'END'\n${copiedScene()}END\n`;
-  },
+  curl: () => copyCurl(),
   command() {
     const names = copiedNames();
     const parts = names.map((name) => ` --part ${quoted(`${name}=${name}`)}`).join('');
@@ -67,7 +61,6 @@ async function copyNow() {
 }
 
 function listenToCopy() {
-  if (!HAS_DAEMON) byId('copy-curl').remove();
   byId('copy').onclick = () => {
     byId('copy-dialog').showModal();
     showCopy(copyKind);

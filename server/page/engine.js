@@ -1,4 +1,4 @@
-// The renderer in this browser, for pages without a daemon: zraster.wasm in two Workers, one for rough pictures and one for all else.
+// The renderer in this browser: zraster.wasm in two Workers, one for rough pictures and one for all else. Beside a daemon, there is only the first.
 
 const engine = { opening: null, rough: null, whole: null };
 
@@ -62,7 +62,7 @@ function openEngine() {
   engine.opening ??= (async () => {
     const [{ compile }, { load }] = await Promise.all(['browser', 'worker'].map((name) => import(new URL(`engine/${name}.mjs`, document.baseURI))));
     const module = await compile();
-    [engine.rough, engine.whole] = (await Promise.all([load(module), load(module)])).map((z) => new Drawer(z));
+    [engine.rough, engine.whole] = (await Promise.all((HAS_DAEMON ? [1] : [1, 2]).map(() => load(module)))).map((z) => new Drawer(z));
   })().catch((error) => {
     engine.opening = null;
     throw error;
@@ -73,7 +73,7 @@ function openEngine() {
 // Draws as render() does. A rough picture has an image, and no blob.
 async function drawHere(text, changes, query, signal, isRough) {
   await openEngine();
-  const { parts } = await prepare(text), began = performance.now(), drawer = isRough ? engine.rough : engine.whole;
+  const { all: parts } = await prepare(text), began = performance.now(), drawer = isRough ? engine.rough : engine.whole;
   const given = new URLSearchParams(query), channels = changes.outputs ? changes.outputs.map(({ channel }) => channel) : [given.get('channel') || 'color'];
   given.delete('render');
   const answer = { blob: null, image: null, parts: new Map(), warnings: '' };

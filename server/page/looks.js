@@ -8,10 +8,19 @@ function buildLooks() {
     const input = el('input', { type: 'radio', name: 'look', value: look.name, id: 'look-' + look.name });
     input.onchange = () => setKeys({ look: look.name });
     return el('label', { title: look.text, htmlFor: input.id }, input,
-      el('canvas', { width: 128, height: 96, 'aria-hidden': 'true' }), el('span', {}, look.name));
+      el('canvas', { width: 160, height: 120, 'aria-hidden': 'true' }), el('span', {}, look.name));
   }));
   showLook();
+  for (const { name } of looks) showTile(name).catch(() => {});
 }
+
+// Until this scene is drawn, shows a picture that is there: of the first example, or that of the manual.
+async function showTile(name) {
+  const canvas = tileOf(name), blob = await (await fetch(HAS_DAEMON ? `docs/pictures/look-${name}.png` : `looks/${name}.webp`)).blob();
+  if (!canvas.dataset.drawn) await paint(canvas, blob);
+}
+
+const tileOf = (name) => byId('look-' + name).nextElementSibling;
 
 const lookName = () => String(state.scene.look || 'textbook').split('@')[0];
 
@@ -44,13 +53,16 @@ async function paint(canvas, blob) {
 onRest(async (signal) => {
   const key = state.version + JSON.stringify(state.camera);
   if (drawnLooks === key || !state.isValid) return;
+  if (!HAS_DAEMON && state.version === 1 && state.example && !state.camera) return void (drawnLooks = key); // tiles show it
   for (const look of looks) {
     const changes = { ...smallKeys(160, 120), look: look.name };
     if (!(state.scene.samples <= 4)) changes.samples = 4;
     if (state.scene.fog && look.name !== 'textbook') changes.fog = undefined; // which linear light refuses
-    const canvas = byId('look-' + look.name).nextElementSibling;
+    const canvas = tileOf(look.name);
     try {
-      await paint(canvas, (await render(state.text, changes, '?channel=color', signal)).blob);
+      const { blob } = await render(state.text, changes, '?channel=color', signal);
+      canvas.dataset.drawn = look.name;
+      await paint(canvas, blob);
       canvas.classList.remove('failed');
     } catch (error) {
       if (error.name === 'AbortError') throw error;

@@ -8,6 +8,7 @@ async function start() {
   listenToKeys();
   listenToCopy();
   listenToLesson();
+  listenToModel();
   buildChannels();
   let sized = 0;
   new ResizeObserver(() => {
@@ -26,6 +27,7 @@ async function start() {
     }
   });
   const text = await textOfLink();
+  if (text !== null) byId('poster')?.remove();
   const lists = [call('v1/looks'), call(HAS_DAEMON ? 'v1/examples' : 'v1/examples/index.json')].map(async (answer) => (await answer).json());
   try {
     const first = text === null ? openExample('bearing') : null;
@@ -46,5 +48,6 @@ async function start() {
   }
 }
 
+if (HAS_DAEMON && HAS_ENGINE) onRest(() => openEngine().catch(() => {})); // so that it is there when the model turns
 if (!HAS_DAEMON && 'serviceWorker' in navigator) navigator.serviceWorker.register('offline.js').catch(() => {});
 start();

@@ -1,9 +1,9 @@
 #!/bin/sh
-# page.sh WORK HAS_DAEMON: joins the page of server/page/ and the list of formats as WORK/page, and writes its policy as WORK/policy, with the
-# hashes of its script and style. HAS_DAEMON: true, or false for a page that draws by itself, by the folder engine/ beside it. Runs in the root
-# of the repository.
+# page.sh WORK KIND: joins the page of server/page/ and the list of formats as WORK/page, and writes its policy as WORK/policy, with the hashes of
+# its script and style. KIND: `daemon`; `site` for a page that draws by itself, by the folder engine/ beside it; or `both` for a page of a daemon
+# that does so while a model turns. Runs in the root of the repository.
 set -eu
-work=$1 has_daemon=$2
+work=$1 kind=$2
 page=server/page
 mkdir -p "$work"
 
@@ -22,13 +22,17 @@ policy_hash() { # FILE
         }'
 }
 
-left_out='^$'
-[ "$has_daemon" = false ] || left_out='/engine\.js$'
+has_daemon=true has_engine=true left_out='^$'
+case $kind in
+daemon) has_engine=false left_out='/engine\.js$' ;;
+site) has_daemon=false left_out='/daemon\.js$' ;;
+esac
 
 # A policy has the hash of the text between the tags, line ends included. The rows' enums of C are left out.
-{ echo "'use strict'; const HAS_DAEMON = $has_daemon;" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d' && sed '/^ *\/\//d; s/^ *//' $(sed "s|^|$page/|" $page/scripts.txt | grep -v "$left_out"); } >"$work/script"
-sed 's/^ *//' $page/colors.css $page/page.css >"$work/style"
-awk -v script="$work/script" -v style="$work/style" '
+{ echo "'use strict'; const HAS_DAEMON = $has_daemon, HAS_ENGINE = $has_engine;" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d' && sed '/^ *\/\//d; s/^ *//; s| // [a-z`].*||' $(sed "s|^|$page/|" $page/scripts.txt | grep -v "$left_out"); } >"$work/script"
+sed 's/^ *//; /^\/\*.*\*\/$/d' $page/colors.css $page/page.css >"$work/style"
+# Lines between <!-- daemon --> and <!-- all --> are for pages of daemons, those between <!-- site --> and <!-- all --> for others.
+awk -v script="$work/script" -v style="$work/style" -v kind="$([ $has_daemon = true ] && echo daemon || echo site)" '
     function put(tag, file, line) {
         printf "<%s>", tag
         while ((getline line <file) > 0) print line
@@ -36,11 +40,13 @@ awk -v script="$work/script" -v style="$work/style" '
     }
     /<!-- style -->/ { put("style", style); next }
     /<!-- script -->/ { put("script", script); next }
-    { sub(/^ */, ""); print }' $page/index.html >"$work/page"
+    /<!-- (daemon|site|all) -->/ { is_out = !index($0, kind) && !/ all /; next }
+    !is_out { sub(/^ */, ""); print }' $page/index.html >"$work/page"
 
 # The engine's modules are imported, compiled and run in Workers.
-of_engine=
-[ "$has_daemon" = true ] || of_engine=" 'self' 'wasm-unsafe-eval'"
+of_engine= of_pictures=
+[ $has_engine = false ] || of_engine=" 'self' 'wasm-unsafe-eval'"
+[ $has_daemon = true ] || of_pictures=" 'self'"
 printf '%s' "default-src 'none'; script-src 'sha256-$(policy_hash "$work/script")'$of_engine; style-src 'sha256-$(policy_hash "$work/style")'; \
-img-src data: blob:; connect-src 'self'; ${of_engine:+worker-src 'self'; }base-uri 'none'; form-action 'none'; \
+img-src data: blob:$of_pictures; connect-src 'self'; ${of_engine:+worker-src 'self'; }base-uri 'none'; form-action 'none'; \
 require-trusted-types-for 'script'" >"$work/policy"

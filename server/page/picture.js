@@ -1,7 +1,7 @@
 // The picture: one request in flight; rough while it moves, whole at rest.
 
 const REST_MS = 160;
-const SLOW_MS = HAS_DAEMON ? 45 : 22, FAST_MS = HAS_DAEMON ? 18 : 13; // of a rough picture: the next is smaller, or larger
+const SLOW_MS = HAS_ENGINE ? 22 : 45, FAST_MS = HAS_ENGINE ? 13 : 18; // of a rough picture: the next is smaller, or larger
 const STEPS = [
   { samples: 4, scale: 1 },
   { samples: 1, scale: 1 },
@@ -135,6 +135,7 @@ async function drawOnce({ isRough }) {
 let movieUrl = '';
 
 async function show({ blob, image }) {
+  byId('poster')?.remove();
   const canvas = byId('picture'), movie = byId('movie'), is = isMovie();
   if (is) {
     if (movieUrl) URL.revokeObjectURL(movieUrl);

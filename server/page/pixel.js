@@ -22,7 +22,7 @@ function hover(share) {
   clearTimeout(hoverTimer);
   if (motion.is || isSeveral() || !state.isValid) return;
   hoverTimer = setTimeout(async () => {
-    if (hoverRequest || isPumping) return;
+    if (hoverRequest || isPumping || pointers.size) return;
     hoverRequest = new AbortController();
     try {
       const { fragments } = await fragmentsAt(share, hoverRequest.signal);

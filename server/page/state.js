@@ -52,21 +52,21 @@ function setText(text, isOwn = false) {
     state.version++;
     state.camera = null;
     state.info = null;
-    for (const canvas of byId('looks').querySelectorAll('canvas')) canvas.classList.add('failed');
+    if (state.version > 1) for (const canvas of byId('looks').querySelectorAll('canvas')) canvas.classList.add('failed');
   }
   showText();
   showControls();
 }
 
-// Changes keys of the text, as a control does.
-function setKeys(changes) {
+// Changes keys of the text, as a control does. `isMoving`: a slider, whose pictures are rough.
+function setKeys(changes, isMoving = false) {
   if (!state.isValid) {
     say('The text is not valid JSON. Correct it first.', true);
     return;
   }
   const moved = state.camera && motion.is ? { view: viewOf(state.camera) } : {};
   setText(withKeys(state.text, { ...moved, ...changes }));
-  refresh();
+  refresh(isMoving && canMove());
 }
 
 const FACTS = '?channel=info&render=false';

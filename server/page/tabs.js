@@ -1,7 +1,7 @@
 // Tabs of the panel, buttons of views, and dialogs.
 
-const TABS = ['scene', 'channels', 'algorithms', 'pixel', 'lesson'];
-let chosen = 'scene';
+const TABS = ['model', 'scene', 'channels', 'algorithms', 'pixel', 'lesson'];
+let chosen = 'model';
 
 // Arrow keys move within a list of tabs, and the tab that gets the focus is chosen (ARIA, tabs).
 function roving(list, choose) {
@@ -59,6 +59,7 @@ function setMark(word) {
 
 function showControls() {
   showLook();
+  showModel();
   const views = viewsOf(state.scene);
   for (const button of byId('views').children) button.setAttribute('aria-pressed', String(button.value === views));
   for (const button of byId('marks').children) button.setAttribute('aria-pressed', String(marksOf(state.scene).includes(button.value)));

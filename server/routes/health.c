@@ -65,6 +65,7 @@ bool limits_open(const struct service *service, struct request *request, struct 
     (void)request;
     cJSON *root = cJSON_CreateObject(), *limits = NULL;
     const bool is_whole = cJSON_AddStringToObject(root, "version", ZR_VERSION) &&
+                          cJSON_AddBoolToObject(root, "keepsAssets", service->store != NULL) &&
                           (limits = cJSON_AddObjectToObject(root, "limits")) &&
                           config_add_limits(service->config, limits);
     char *text = is_whole ? cJSON_Print(root) : NULL;

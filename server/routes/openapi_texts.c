@@ -51,6 +51,23 @@ static const char page[] = ZR_SCHEMA({
             }
         }
     },
+    "/engine/{name}": {
+        "parameters": [
+            {"name": "name", "in": "path", "required": true, "description": "Name of a file of --engine-dir.",
+             "schema": {"type": "string"}}
+        ],
+        "get": {
+            "operationId": "getEngine", "tags": ["page"], "summary": "Return a file with which the page draws by itself",
+            "security": [],
+            "responses": {
+                "200": {
+                    "description": "The file.",
+                    "content": {"text/javascript": {"schema": {"type": "string"}}, "application/wasm": {}}
+                },
+                "4XX": {"$ref": "#/components/responses/problem"}
+            }
+        }
+    },
     "/v1/looks": {
         "get": {
             "operationId": "getLooks", "tags": ["page"], "summary": "Return all looks with their versions",
@@ -126,9 +143,10 @@ static const char contract[] = ZR_SCHEMA({
                     "content": {
                         "application/json": {
                             "schema": {
-                                "type": "object", "required": ["version", "limits"],
+                                "type": "object", "required": ["version", "keepsAssets", "limits"],
                                 "properties": {
                                     "version": {"type": "string"},
+                                    "keepsAssets": {"type": "boolean"},
                                     "limits": {"type": "object", "additionalProperties": {"type": "number"}}
                                 }
                             }

@@ -86,6 +86,10 @@ bool metrics_open(const struct service *service, struct request *request, struct
 bool site_open(const struct service *service, struct request *request, struct answer *answer);
 bool manual_open(const struct service *service, struct request *request, struct answer *answer);
 
+/* GET /engine/NAME: a file of --engine-dir, for the page. 404 without it, and with --page=off. */
+#define ENGINE_PATH "/engine/"
+bool engine_open(const struct service *service, struct request *request, struct answer *answer);
+
 /* GET /v1/examples: names, titles and files of the scenes. GET /v1/examples/NAME: a scene or a file. */
 #define EXAMPLES_PATH "/v1/examples/"
 bool examples_open(const struct service *service, struct request *request, struct answer *answer);

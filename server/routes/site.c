@@ -8,6 +8,7 @@
 #include <cjson/cJSON.h>
 #include <zlib.h>
 
+#include "engine.h"
 #include "problem.h"
 #include "routes.h"
 #include "scene/looks.h"
@@ -91,8 +92,28 @@ static void answer_policy(struct answer *answer, const char *policy)
 bool site_open(const struct service *service, struct request *request, struct answer *answer)
 {
     if (refuse_if_off(service, answer, "page")) return false;
-    answer_site_file(request, &site_files[0], answer);
-    answer_policy(answer, site_policy);
+    const int kind = engine_is_there(service->engine);
+    answer_site_file(request, &site_files[kind], answer);
+    answer_policy(answer, site_policies[kind]);
+    return false;
+}
+
+bool engine_open(const struct service *service, struct request *request, struct answer *answer)
+{
+    const char *name = request->path + sizeof ENGINE_PATH - 1;
+    const struct site_file *file = engine_find(service->engine, name);
+    if (refuse_if_off(service, answer, "page")) return false;
+    if (file) {
+        answer_site_file(request, file, answer);
+        /* A Worker has the policy of its script: it imports the others, and compiles the module. */
+        answer_policy(answer, "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; "
+                              "base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
+    } else if (engine_is_there(service->engine)) {
+        problem_answer(answer, 404, "the page has no file '%.100s'", name);
+    } else {
+        problem_answer(answer, 404,
+                       "the page does not draw by itself; start zrasterd with --engine-dir=DIRECTORY for that");
+    }
     return false;
 }
 

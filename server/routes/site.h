@@ -15,10 +15,10 @@ struct site_file {
     size_t size, plain_size; /* compressed, decompressed; plain_size 0: not compressed */
 };
 
-/* Made by the build. The page is the first file. */
+/* Made by the build. The first file is the page, the second one the page that draws by itself, too (engine.h). */
 extern const struct site_file site_files[];
 extern const size_t site_file_count;
-extern const char site_policy[]; /* Content-Security-Policy of the page */
+extern const char *const site_policies[]; /* Content-Security-Policy of the first two files */
 extern const struct site_file manual_files[];
 extern const size_t manual_file_count;
 

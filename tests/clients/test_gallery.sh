@@ -52,10 +52,15 @@ all_there() {
 }
 verdict "with its picture, and its scene or command beside it" all_there
 
-# Commands of the manual's page are those that draw its pictures, by pictures.txt.
+# Commands of the manual's page are those that draw its pictures, by pictures.txt. Dark pages show some in the look dark.
 page_commands() { # PAGE: lines NAME | COMMAND
-    awk '/<img src="pictures\// { sub(/.*pictures\//, ""); sub(/\.png.*/, ""); name = $0; next }
-         name && /^zraster / { sub(/ -o [a-z.-]*$/, ""); print name " | " $0; name = "" }' "$1"
+    awk '/<img src="pictures\// { has_dark = /<source/; sub(/.*pictures\//, ""); sub(/(\.png)?".*/, ""); name = $0; next }
+         name && /^zraster / {
+             sub(/ -o [a-z.-]*$/, "")
+             print name " | " $0
+             if (has_dark && sub(/\.webp/, "-dark.webp", name)) print name " | " $0 " --look dark"
+             name = ""
+         }' "$1"
 }
 page_commands clients/docs/gallery.md >"$work/shown"
 grep '^gallery-' clients/docs/pictures.txt >"$work/drawn"

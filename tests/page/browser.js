@@ -17,7 +17,7 @@ const BROWSERS = {
   chromium: {
     kind: chromium, path: process.env.CHROMIUM || '/usr/bin/chromium', options: { args: process.getuid() === 0 ? ['--no-sandbox'] : [] }, leaves: [],
   },
-  firefox: { kind: firefox, path: process.env.FIREFOX || '/usr/bin/firefox-esr', options: { channel: 'moz-firefox' }, leaves: ['touch', 'offline'] },
+  firefox: { kind: firefox, path: process.env.FIREFOX || '/usr/bin/firefox-esr', options: { channel: 'moz-firefox' }, leaves: ['touch', 'offline', 'first'] },
 };
 
 let count = 0, failed = 0, named = '';
@@ -145,6 +145,81 @@ function run(name, text, kind = 'sh') {
   return { bytes: fs.existsSync(file) ? fs.readFileSync(file) : Buffer.alloc(0), error: result.stderr };
 }
 
+// What a visitor sees at first, at 1440 x 900: a picture, controls and one sentence; no JSON, and nothing that scrolls.
+async function firstMinute(page) {
+  const seen = await page.evaluate(() => ({
+    text: document.body.innerText,
+    parts: byId('parts').children.length,
+    looks: [...byId('looks').querySelectorAll('canvas')].filter((canvas) => new Set(new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size > 10).length,
+    scrolls: [...document.querySelectorAll('*')].filter((node) => node.clientHeight && node.scrollHeight > node.clientHeight + 1 && node.offsetParent &&
+      /auto|scroll/.test(getComputedStyle(node).overflowY)).map((node) => node.id || node.className || node.tagName),
+    page: document.documentElement.scrollHeight - innerHeight,
+  }));
+  check('no JSON is shown until it is asked for', await page.isHidden('#text') && !/[{}"]/.test(seen.text), seen.text);
+  check('one sentence tells of zraster, another one to drop a model', /draws.*\. Drop one/i.test(await page.textContent('#about')));
+  check('the example has a picture, the list of its parts and a picture in each look', seen.parts === 18 && seen.looks === 9, seen);
+  check('nothing scrolls at 1440 x 900', seen.page <= 1 && seen.scrolls.length === 0, [seen.page, seen.scrolls]);
+}
+
+// Between the sizes of screens: nothing is cut off, and nothing scrolls sideways.
+async function widthsBetween(page) {
+  for (const width of [320, 390, 699, 700, 899, 900, 1024, 1279, 1280]) {
+    await page.setViewportSize({ width, height: 800 });
+    await page.waitForFunction(() => document.documentElement.scrollWidth <= innerWidth, null, { timeout: 5000 }).catch(() => {});
+    const found = await page.evaluate(() => {
+      const about = byId('about'), header = document.querySelector('header');
+      const out = [...header.children].filter((node) => node.offsetParent && (node.getBoundingClientRect().right > innerWidth || node.getBoundingClientRect().bottom > header.getBoundingClientRect().bottom));
+      return { wide: document.documentElement.scrollWidth, cut: about.scrollWidth > about.clientWidth + 1, out: out.map((node) => node.id), select: byId('example').clientWidth, high: header.clientHeight };
+    });
+    check(`${width} px: the header fits, with its sentence`, found.wide <= width && !found.cut && !found.out.length && found.select >= 55 && found.high <= 110, found);
+  }
+}
+
+// The controls of the tab Model change the text.
+async function modelControls(page) {
+  const scene = async () => JSON.parse(await page.inputValue('#text'));
+  await redrawn(page, () => page.selectOption('#example', 'bearing'));
+  await quiet(page);
+  await page.waitForFunction(() => byId('parts').children.length === 18);
+  check('the facts of the model', /^18 parts, 36,765 triangles, 84 × 54.8 × 84/.test(await page.textContent('#model-facts')), await page.textContent('#model-facts'));
+  await redrawn(page, () => page.click('#cut button[value=x]'));
+  check('a cut is a plane', JSON.stringify((await scene()).sections) === '{"planes":[{"axis":"x","fraction":0.5}]}', (await scene()).sections);
+  const steps = await page.evaluate(() => past.length);
+  await redrawn(page, async () => {
+    for (const value of [40, 30, 20]) await page.evaluate((value) => { byId('cut-at').value = value; byId('cut-at').dispatchEvent(new Event('input')); }, value);
+  });
+  check('a slider moves it, in one step of undo', (await scene()).sections.planes[0].fraction === 0.2 && await page.evaluate(() => past.length) === steps + 1, (await scene()).sections);
+  check('the picture is whole again', await page.evaluate(() => byId('picture').width === pictureSize().width));
+  await redrawn(page, () => page.click('#cut button[value=""]'));
+  await redrawn(page, () => page.evaluate(() => { byId('apart').value = 100; byId('apart').dispatchEvent(new Event('input')); }));
+  await redrawn(page, () => page.click('#parts input[value=gear]'));
+  check('without a cut, taken apart, one part hidden', (await scene()).sections === undefined && (await scene()).explode === 1 && String((await scene()).hide) === 'gear', await scene());
+  await redrawn(page, () => page.click('#parts input[value=gear]'));
+  check('shown again', (await scene()).hide === undefined && await page.isChecked('#parts input[value=gear]'));
+  check('controls: nothing in the console', page.faults.length === 0, page.faults);
+}
+
+// The gallery of the manual: columns of 480 pixels, one column in narrow windows, and other pictures on dark pages.
+async function gallery(browser, address, hash) {
+  for (const [width, colorScheme, columns] of [[1440, 'light', 2], [1920, 'light', 3], [390, 'dark', 1]]) {
+    const page = await open(browser, address, { viewport: { width, height: 900 }, colorScheme, hash });
+    const room = await page.evaluate(() => document.documentElement.clientWidth) - 32;
+    const cards = await page.$$eval('.card', (list) => Promise.all(list.map(async (card) => {
+      const image = card.querySelector('img'), { left, right } = card.getBoundingClientRect();
+      image.loading = 'eager';
+      await image.decode();
+      return { left: Math.round(left), right, shown: image.currentSrc, width: image.width, asked: Number(image.getAttribute('width') || 0), isOne: Boolean(card.querySelector('source')) };
+    })));
+    const lefts = new Set(cards.map(({ left }) => left)), large = cards.filter(({ asked }) => asked === 480);
+    check(`gallery, ${width} px: ${columns} columns`, lefts.size === columns && cards.every(({ right }) => right <= width), [...lefts]);
+    check(`gallery, ${width} px: pictures of at most 480 pixels fill it`, large.length >= 12 && large.every((card) => card.width === Math.min(480, room)), large);
+    if (named !== 'firefox') check(`gallery, ${colorScheme}: pictures of the mode`, cards.filter(({ isOne }) => isOne).length === 4 && cards.every(({ isOne, shown }) => /-dark\.webp/.test(shown) === (isOne && colorScheme === 'dark')), cards);
+    check(`gallery, ${width} px: axe finds nothing`, (await violations(page)).length === 0, await violations(page));
+    await shot(page, `gallery-${width}-${colorScheme}`);
+    await page.close();
+  }
+}
+
 // Pictures of the screen. In firefox, playwright adds a style for them, which the policy refuses and reports.
 async function shot(page, name) {
   const folder = path.join(shots, named);
@@ -202,4 +277,4 @@ async function main(tests) {
   process.exit(failed || !count ? 1 : 0);
 }
 
-module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, quiet, eachExample, pictures, orbit, violations, saved, doubleClick, run, shot, main };
+module.exports = { build, work, check, daemon, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, widthsBetween, modelControls, gallery, pictures, orbit, violations, saved, doubleClick, run, shot, main };

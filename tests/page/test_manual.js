@@ -1,6 +1,6 @@
 // test_manual.js BUILD: the pages of the manual in a browser, light and dark, wide and narrow. Prints TAP.
 'use strict';
-const { check, daemon, open, violations, shot, main } = require('./browser.js');
+const { check, daemon, open, violations, gallery, shot, main } = require('./browser.js');
 
 const SIZES = [
   { name: 'wide-light', colorScheme: 'light', viewport: { width: 1440, height: 1000 } },
@@ -8,6 +8,8 @@ const SIZES = [
 ];
 
 main({
+  gallery: async (browser) => gallery(browser, await daemon(), '/docs/gallery'),
+
   async manual(browser) {
     const address = await daemon();
     for (const { name, ...options } of SIZES) {

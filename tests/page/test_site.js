@@ -4,7 +4,7 @@
 const fs = require('fs');
 const path = require('path');
 const zlib = require('zlib');
-const { build, work, check, folder, open, drawn, redrawn, quiet, eachExample, violations, run, shot, main } = require('./browser.js');
+const { build, work, check, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, widthsBetween, modelControls, gallery, violations, run, shot, main } = require('./browser.js');
 
 const site = path.join(build, 'site');
 // The file of that name in the folder DATA, if it is there.
@@ -45,17 +45,43 @@ const tests = {
     await drawn(page);
     await page.waitForFunction(() => drawnLooks !== '', null, { timeout: 60000 });
     check('opened: no message, no report of the policy, no request to elsewhere', page.faults.length === 0, page.faults);
-    check('the page does not scroll at 1440 x 900', await page.evaluate(() => document.documentElement.scrollHeight <= innerHeight + 1),
-      await page.evaluate(() => [document.documentElement.scrollHeight, innerHeight]));
-    check('a sentence tells of zraster', /draws/i.test(await page.textContent('#about')));
+    await quiet(page);
+    await firstMinute(page);
     await shot(page, 'site-1440-light');
     check('axe finds nothing', (await violations(page)).length === 0, await violations(page));
+    await widthsBetween(page);
     for (const [name, options] of [['site-1440-dark', { viewport: { width: 1440, height: 900 }, colorScheme: 'dark' }], ['site-390', { viewport: { width: 390, height: 844 } }]]) {
       const other = await open(browser, address, options);
       await drawn(other);
       await quiet(other);
       await shot(other, name);
     }
+  },
+
+  // Before the module is there.
+  async first(browser) {
+    const page = await open(browser, address, { hash: '/docs/index.html' }), pictures = [];
+    await page.route('**/*.wasm', () => {});
+    page.on('response', (response) => { if (/looks\/.*webp$/.test(response.url())) pictures.push(path.basename(response.url())); });
+    await page.goto(address);
+    await page.waitForFunction(() => [...byId('looks').querySelectorAll('canvas')].filter((canvas) => canvas.getContext('2d').getImageData(80, 60, 1, 1).data[3]).length === 9);
+    check('the first picture is there before the module', await page.evaluate(() => document.querySelector('#poster img').naturalWidth) === 720 && await page.isVisible('#poster img'));
+    check('each look has a picture before the module', pictures.length === 10 && pictures.includes('first.webp'), pictures);
+    const dark = await open(browser, address, { colorScheme: 'dark', hash: '/docs/index.html' }), darkPictures = [];
+    dark.on('request', (request) => { if (/first/.test(request.url())) darkPictures.push(path.basename(request.url())); });
+    await dark.goto(address);
+    check('a dark page begins with the dark look', String(darkPictures) === 'first-dark.webp', darkPictures);
+    await drawn(dark);
+    check('the page draws over it', await dark.evaluate(() => !byId('poster')));
+    const link = await open(browser, address, { hash: '/#' + encodeURIComponent('{"look": "clay"}') });
+    check('a link has no picture of another scene', await link.evaluate(() => !byId('poster')));
+    await page.unrouteAll();
+  },
+
+  async model(browser) {
+    const page = await open(browser, address);
+    await drawn(page);
+    await modelControls(page);
   },
 
   async examples(browser) {
@@ -80,6 +106,7 @@ const tests = {
     await page.waitForFunction(() => !byId('lesson-body').hidden, null, { timeout: 20000 });
     check('channels, algorithms, a pixel and the lesson are there', true);
     await page.click('#tab-scene');
+    check('the tab JSON has the scene', await page.isVisible('#text'));
     await page.fill('#text', '{"look": "studio", ');
     await page.waitForFunction(() => !byId('faults').hidden);
     check('broken JSON is refused with its place', /column|line|byte|expected|end/i.test(await page.textContent('#faults')), await page.textContent('#faults'));
@@ -159,6 +186,8 @@ const tests = {
     await page.context().setOffline(false);
   },
 
+  gallery: (browser) => gallery(browser, address, '/docs/gallery.html'),
+
   async manual(browser) {
     const page = await open(browser, address);
     const dead = [], scenes = [], seen = new Set(), links = [address + '/docs/index.html'];
@@ -169,7 +198,7 @@ const tests = {
       const response = await page.request.get(link);
       if (!response.ok()) dead.push(link);
       if (!/text\/html/.test(response.headers()['content-type'] || '')) continue;
-      for (const [, href] of (await response.text()).matchAll(/(?:href|src)="([^"]*)"/g))
+      for (const [, href] of (await response.text()).matchAll(/(?:href|src|srcset)="([^"]*)"/g))
         if (href.includes('#%7B')) scenes.push(new URL(href, link).href);
         else if (!/^(data|mailto):|&hellip;|…/.test(href)) links.push(new URL(href.replace(/&amp;/g, '&'), link).href);
     }
@@ -190,6 +219,9 @@ const tests = {
     const engine = fs.readdirSync(path.join(site, 'engine')).filter((name) => name.endsWith('.mjs')).map((name) => 'engine/' + name);
     const module = packed(['engine/zraster.wasm']), beside = packed(['index.html', 'offline.js', ...engine]);
     console.log(`# gzipped: module ${module} bytes, page beside it ${beside} bytes`);
+    const tiles = fs.readdirSync(path.join(site, 'looks')).reduce((sum, name) => sum + fs.statSync(path.join(site, 'looks', name)).size, 0);
+    console.log(`# pictures of looks: ${tiles} bytes`);
+    check('pictures of looks have at most 40 kB', tiles > 10000 && tiles <= 40000, tiles);
     check('the module has at most 1 MB', module <= 1000000, module);
     check('the page beside the module has at most 40 kB', beside <= 40000, beside);
   },

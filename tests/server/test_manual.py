@@ -12,7 +12,7 @@ import urllib.parse
 import daemon
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
-VOID = {"meta", "link", "img", "br", "hr"}
+VOID = {"meta", "link", "img", "source", "br", "hr"}
 ALL_BYTES_MOST = 4_000_000
 
 
@@ -29,7 +29,7 @@ class Page(html.parser.HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         values = dict(attributes)
-        self.links += [value for key, value in attributes if key in ("href", "src")]
+        self.links += [value for key, value in attributes if key in ("href", "src", "srcset")]
         self.sidebar += [values["href"]] if tag == "a" and "nav" in self.open else []
         self.ids += [values["id"]] if "id" in values else []
         self.scripts += tag == "script" or any(key.startswith("on") or key == "style" for key in values)

@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import unittest
 
 import daemon
 
@@ -113,6 +114,95 @@ class Off(Case):
             done = subprocess.run(command, capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 2, origins)
             self.assertIn(f"--allow-origin: '{origins}' is no list of origins", done.stderr)
+
+
+class Engine(unittest.TestCase):
+    """--engine-dir: the page draws by itself, too."""
+
+    names = ("browser.mjs", "errors.mjs", "options.mjs", "worker.mjs", "worker_thread.mjs", "zraster.mjs", "zraster.wasm", "zraster-scalar.wasm")
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.files = {name: name.encode() * 3000 for name in (*self.names, "package.json")}
+        for name, data in self.files.items():
+            with open(os.path.join(self.folder, name), "wb") as out:
+                out.write(data)
+
+    def start(self, *flags):
+        started = Daemon("--engine-dir", self.folder, *flags)
+        self.addCleanup(started.stop)
+        return started
+
+    def test_served(self):
+        """each file is served with its type, whole and compressed, as at the start, and without a token"""
+        started = self.start("--token=secret")
+        for name in self.names:
+            with open(os.path.join(self.folder, name), "ab") as out:
+                out.write(b"later")
+        for name in self.names:
+            status, headers, data = started.send("/engine/" + name)
+            wanted = "application/wasm" if name.endswith(".wasm") else "text/javascript; charset=utf-8"
+            self.assertEqual((status, headers["Content-Type"], data), (200, wanted, self.files[name]))
+            _, packed, data = started.send("/engine/" + name, Accept_Encoding="gzip")
+            self.assertEqual((packed["Content-Encoding"], gzip.decompress(data)), ("gzip", self.files[name]))
+            self.assertEqual((headers["Cache-Control"], headers["Vary"]), (packed["Cache-Control"], "Accept-Encoding"))
+            self.assertEqual(headers["Cache-Control"], started.send("/")[1]["Cache-Control"])
+            self.assertEqual(started.send("/engine/" + name, Accept_Encoding="gzip", If_None_Match=packed["ETag"])[0], 304)
+            self.assertIn("script-src 'self' 'wasm-unsafe-eval';", headers["Content-Security-Policy"])
+
+    def test_others(self):
+        """no other file of the folder, and none outside it, can be reached"""
+        started = self.start()
+        for name in ("", "package.json", "zraster", "zraster.wasm/", "../engine/zraster.wasm", "%2e%2e/x", "./zraster.wasm", "Zraster.wasm"):
+            status, headers, data = started.send("/engine/" + name)
+            self.assertEqual((status, headers["Content-Type"]), (404, "application/problem+json"), name)
+            self.assertIn("the page has no file", json.loads(data)["detail"])
+        self.assertEqual(started.send("/engine/zraster.wasm", b"", "POST")[0], 405)
+
+    def test_page(self):
+        """the page of this daemon may compile a module and start a Worker; its policy has its own hashes"""
+        page, plain = self.start().send("/"), self.start("--engine-dir=").send("/")
+        for (_, headers, data), has_engine in ((page, True), (plain, False)):
+            (script,) = re.findall(rb"<script>(.*?)</script>", data, re.S)
+            policy = headers["Content-Security-Policy"]
+            self.assertIn(base64.b64encode(hashlib.sha256(script).digest()).decode(), policy)
+            for part in ("'self' 'wasm-unsafe-eval';", "worker-src 'self';"):
+                self.assertEqual(part in policy, has_engine, policy)
+            self.assertEqual(b"HAS_ENGINE = true" in script, has_engine)
+            self.assertLessEqual(len(gzip.compress(data, 9, mtime=0)), PAGE_MOST)
+
+    def test_limits(self):
+        """/v1/limits says whether assets are stored, so that the page uploads none in vain"""
+        for flags, stored in (([], False), (["--assets-dir", self.folder], True)):
+            self.assertIs(json.loads(self.start(*flags).send("/v1/limits")[2])["keepsAssets"], stored)
+
+    def test_none(self):
+        """without the option, or the page, there are no files"""
+        for flags, word in ((["--engine-dir="], "--engine-dir"), (["--page=off"], "--page=on")):
+            status, _, data = self.start(*flags).send("/engine/zraster.wasm")
+            self.assertEqual(status, 404)
+            self.assertIn(word, json.loads(data)["detail"])
+
+    def test_missing(self):
+        """a missing, empty or odd file is refused at the start, by name"""
+        path = os.path.join(self.folder, "worker.mjs")
+
+        def refused(why):
+            for flags in (["--port=0"], ["--check-config"]):
+                command = [os.path.join(daemon.build, "zrasterd"), "--engine-dir", self.folder, *flags]
+                done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=20)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertEqual(done.stderr, f"zrasterd: --engine-dir: {path}: {why}; the folder needs the package for JavaScript, of make npm\n")
+        os.remove(path)
+        refused("No such file or directory")
+        with open(path, "wb"):
+            pass
+        refused("the file is empty")
+        os.remove(path)
+        os.mkfifo(path)
+        refused("this is no regular file")
 
 
 class Token(Case):

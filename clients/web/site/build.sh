@@ -9,11 +9,14 @@ mkdir -p "$out/engine" "$out/v1/examples" "$work"
 export LC_ALL=C
 
 # The page, whose policy is in it: a server of files sends none.
-server/page/page.sh "$work" false
+server/page/page.sh "$work" site
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
-# The scripts of the renderer, without comments and without scripts for Node.
-for file in answers browser errors options remote worker worker_thread zraster; do sed '/^ *\/\*.*\*\/$/d; /^ *\/\*/,/\*\/$/d; s/ *\/\*[^*]*\*\/$//; s/^ *//' "$package/$file.mjs" >"$out/engine/$file.mjs"; done
+# Removes indentation, and comments that end a line.
+strip() { sed '/^ *\/\*.*\*\/$/d; s| */\*[^*]*\*/$||; s/^ *//' "$@" | sed '/^\/\*/,/\*\/$/d'; }
+
+# The scripts of the renderer, without those for Node.
+for file in answers browser errors options remote worker worker_thread zraster; do strip "$package/$file.mjs" >"$out/engine/$file.mjs"; done
 # Fewer files: each is a request.
 join() {
     sed "/ from '.\/$2.mjs';$/d" "$out/engine/$1.mjs" >>"$out/engine/$2.mjs"
@@ -25,7 +28,8 @@ cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt
 
 # Lists and files by the addresses of the daemon.
 server/page/examples.sh "$work" >"$work/examples"
-node clients/web/site/looks.mjs "$package" >"$out/v1/looks"
+mkdir "$out/looks"
+node clients/web/site/looks.mjs "$package" "$work" "$out/looks" >"$out/v1/looks"
 awk -F '|' '
     $3 != "" {
         list = $4
@@ -57,6 +61,6 @@ version=$(cd "$out" && cat $files | sha256sum | cut -c 1-16)
 {
     echo "const VERSION = '$version';"
     echo "const FILES = ['./', $(echo "$files" | sed "s|^\./\(.*\)|'\1'|" | paste -s -d , | sed 's/,/, /g')];"
-    cat clients/web/site/offline.js
+    strip clients/web/site/offline.js
 } >"$out/offline.js"
 rm -r "$work"
