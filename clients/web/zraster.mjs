@@ -20,11 +20,11 @@ function bytesOf(value) {
   return utf8.encode(JSON.stringify(value));
 }
 
-const isObject = value => value !== null && typeof value === 'object' && !(value instanceof ArrayBuffer) && !ArrayBuffer.isView(value);
+const isDocument = value => value !== null && typeof value === 'object' && !(value instanceof ArrayBuffer) && !ArrayBuffer.isView(value);
 
 /* Whether keys of scenes apply to a body, and not parameters of models. */
 function isScene(body, type, tables) {
-  if (isObject(body)) return true;
+  if (isDocument(body)) return true;
   const row = type && tables.formats.find(row => row.suffix === type || row.types.split(' ').includes(type));
   if (row) return Boolean(row.isScene);
   const start = text.decode(bytesOf(typeof body === 'string' ? body.slice(0, 4096) : body).subarray(0, 4096)).replace(/^[\ufeff\s]+/, '');
@@ -114,7 +114,7 @@ export class Zraster {
   draw(body, options = {}) {
     const { keys, request } = split(this.tables, options, isScene(body, options.type, this.tables));
     if (!Object.keys(keys).length) return new Picture(this, this.request(body, request, 'zraster_draw', this.#renderer));
-    if (isObject(body)) return this.draw({ ...body, ...keys }, { ...request, raw: true });
+    if (isDocument(body)) return this.draw({ ...body, ...keys }, { ...request, raw: true });
     const scene = this.read(body, { ...request, raw: true });
     try { return scene.draw(keys, { raw: true }); } finally { scene.free(); }
   }
@@ -126,9 +126,9 @@ export class Zraster {
   /** Reads a scene once, to draw it many times. */
   read(body, options = {}) {
     const isOne = isScene(body, options.type, this.tables), { keys, request } = split(this.tables, options, isOne);
-    if (Object.keys(keys).length && !isObject(body))
+    if (Object.keys(keys).length && !isDocument(body))
       throw new ZrasterError('bad-request', `${Object.keys(keys).join(', ')}: for the drawing of this scene`);
-    return new Scene(this, this.request(isObject(body) ? { ...body, ...keys } : body, request, 'zraster_scene_read', this.#renderer), isOne);
+    return new Scene(this, this.request(isDocument(body) ? { ...body, ...keys } : body, request, 'zraster_scene_read', this.#renderer), isOne);
   }
 
   /** Names of the files that a file refers to, which a request needs as parts. */

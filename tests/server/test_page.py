@@ -119,7 +119,7 @@ class Off(Case):
 class Engine(unittest.TestCase):
     """--engine-dir: the page draws by itself, too."""
 
-    names = ("browser.mjs", "errors.mjs", "options.mjs", "worker.mjs", "worker_thread.mjs", "zraster.mjs", "zraster.wasm", "zraster-scalar.wasm")
+    names = ("answers.mjs", "browser.mjs", "errors.mjs", "options.mjs", "remote.mjs", "worker.mjs", "worker_thread.mjs", "zraster.mjs", "zraster.wasm", "zraster-scalar.wasm")
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

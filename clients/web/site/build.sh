@@ -18,10 +18,12 @@ strip() { sed '/^ *\/\*.*\*\/$/d; s| */\*[^*]*\*/$||; s/^ *//' "$@" | sed '/^\/\
 # The scripts of the renderer, without those for Node.
 for file in answers browser errors options remote worker worker_thread zraster; do strip "$package/$file.mjs" >"$out/engine/$file.mjs"; done
 # Fewer files: each is a request.
-join() {
-    sed "/ from '.\/$2.mjs';$/d" "$out/engine/$1.mjs" >>"$out/engine/$2.mjs"
-    mv "$out/engine/$2.mjs" "$out/engine/$1.mjs"
+join() { # SCRIPT IMPORTED
+    sed "/ from '.\/$2.mjs';$/d" "$out/engine/$1.mjs" | cat "$out/engine/$2.mjs" - | awk '!/^import / || !seen[$0]++' >"$work/joined"
+    mv "$work/joined" "$out/engine/$1.mjs"
+    rm "$out/engine/$2.mjs"
 }
+join zraster options
 join worker remote
 join worker_thread answers
 cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt" "$out/engine"
