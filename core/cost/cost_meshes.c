@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "scene/output.h"
 #include "shade/draw_attributes.h"
 
 /* Bytes per vertex, corner, triangle, point or face of each array. */
@@ -49,9 +48,7 @@ double zr_cost_mesh_bytes(const struct zr_scene *scene, const struct zr_cost_pas
     if (scene->is_undrawn) return 0.0;
     for (uint32_t i = 0; i < scene->instance_count; i++)
         add_instance(&scene->meshes[scene->instances[i].mesh], passes, is_lit, &sums);
-    const double measured = zr_view_wants(&scene->views[0], ZR_CHANNEL_WALL)   ? WALL_BYTES
-                            : zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO) ? FACT_BYTES
-                                                                               : 0.0;
+    const double measured = passes->has_walls ? WALL_BYTES : passes->has_info ? FACT_BYTES : 0.0;
     const double drawn = fmax(fmax(sums.kept + sums.pass, sums.creases), measured * sums.triangles);
     return FIXED_BYTES + (is_lit && zr_cost_draws_lines(scene->picture) ? fmax(drawn, sums.lines) : drawn);
 }

@@ -47,6 +47,8 @@ struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const stru
                                     .has_colors = zr_view_has_pixels(view, ZR_CHANNEL_COLOR),
                                     .has_masks = zr_view_has_masks(view),
                                     .has_flow = zr_view_wants(view, ZR_CHANNEL_FLOW),
+                                    .has_walls = zr_view_wants(view, ZR_CHANNEL_WALL),
+                                    .has_info = zr_view_wants(view, ZR_CHANNEL_INFO),
                                     .channel_words = zr_cost_channel_words(view)};
     if (!passes.has_colors || !zr_picture_has_own_passes(picture)) return passes;
     passes.samples = 1.0;

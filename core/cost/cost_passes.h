@@ -17,7 +17,7 @@ struct zr_cost_passes {
     double maps, map_texels; /* shadow maps, that of the ground included, and their texels */
     uint32_t lamp_maps;      /* shadow maps of lights */
     bool makes_normals;      /* averages normals over faces */
-    bool has_colors, has_masks, has_flow;
+    bool has_colors, has_masks, has_flow, has_walls, has_info;
     double channel_words; /* per pixel, of all channels */
 };
 struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved);

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "site.h"
+#include "site_file.h"
 
 struct config;
 struct engine; /* constant after engine_read */
