@@ -3,8 +3,8 @@
  * ISA-L's own C code for other processors selects other matches, so a PNG of the module would have other bytes than one
  * of the command. The Makefile builds this file in place of ISA-L's igzip_icf_base.c.
  *
- * Source: ISA-L 2.30, igzip_icf_body_h1_gr_bt.asm and igzip_icf_finish.asm, whose order of reads and writes of the hash
- *         table it repeats. Copyright 2011-2016 Intel Corporation, BSD 3-clause licence.
+ * Source: ISA-L 2.30 and 2.31, igzip_icf_body_h1_gr_bt.asm and igzip_icf_finish.asm, whose order of reads and writes of
+ *         the hash table it repeats. Copyright 2011-2016 Intel Corporation, BSD 3-clause licence.
  * Other:  a stream's third byte has its own hash (core/output/images/idat.h tells of the fault).
  * Check:  `make wasm-test` compares PNG files of the module and of the command.
  *

@@ -6,7 +6,7 @@ set -eu
 folder=$1
 here=$(cd "$(dirname "$0")" && pwd)
 packages='isal=libisal jpeg=libjpeg-turbo png=libpng1.6 webp=libwebp zlib=zlib'
-[ "$folder/versions" -nt "$here/libisal-2.30.patch" ] && exit 0
+[ "$folder/versions" -nt "$here/libisal.patch" ] && exit 0
 rm -rf "$folder"
 mkdir -p "$folder/apt/lists/partial" "$folder/apt/parts"
 folder=$(cd "$folder" && pwd)
@@ -48,11 +48,11 @@ for pair in $packages; do
     echo "$package $taken" >>versions
 done
 cd "$folder"
-for patch in "$here"/libisal-2.30.patch; do
-    case $(grep '^libisal ' apt/versions) in
-    *' 2.30.'*) patch -s -d isal -p1 <"$patch" ;;
-    esac
-done
+version=$(sed -n 's/^libisal //p' apt/versions)
+case $version in
+2.3[01].*) patch -s -d isal -p1 <"$here/libisal.patch" ;;
+*) failed "libisal $version: the patch and isal_level1.c are for 2.30 and 2.31" ;;
+esac
 
 # The headers that their own builds generate.
 mkdir -p include/isa-l
