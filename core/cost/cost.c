@@ -220,8 +220,8 @@ static void count_line_pairs(const struct zr_cost_sample *sample, double times, 
 /* Lit surfaces of a covered pixel, on average. */
 static const double SURFACES_A_PIXEL = 2.0;
 
-/* Cost of a sample of a blended surface that is lit once in a pixel, relative to a layer's. Small faces have a surface in
- * each pixel that they touch, if one of its samples is theirs: more surfaces than pixels. */
+/* Cost of a sample of a blended surface that is lit once in a pixel, relative to a layer's. Small faces have a surface
+ * in each pixel where a sample is theirs: more surfaces than pixels. */
 static const double LAYER_SURFACE_TIMES = 0.25;
 
 static double surfaces_a_pixel(const struct zr_cost_sample *sample)

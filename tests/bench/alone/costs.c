@@ -1,6 +1,7 @@
 /* costs - bench: compares predictions with measurements. Prints the predicted time (core/cost/cost.h) and the processor
  * time of one thread, and the predicted memory and the memory held. Draws each scene, and each bare mesh in some
- * looks, channels and sizes. The last lines have the shares of times and of memory within factors of 2 and 3. `make bench-costs` runs it.
+ * looks, channels and sizes, makes its technical drawing, and compares it with itself. The last lines have the shares of
+ * times and of memory within factors of 2 and 3. `make bench-costs` runs it.
  *
  *     build/tests/bench/alone/costs [--counts] FILE...
  *
