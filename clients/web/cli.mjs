@@ -89,6 +89,15 @@ async function neighbours(z, file, body, type) {
   return parts;
 }
 
+/* A reader that ends early is no fault. */
+function print(bytes) {
+  if (process.stdout.isTTY) throw new WrongLine('standard output is a terminal, and the output is a picture; -o FILE saves it');
+  return new Promise((done, fail) => {
+    process.stdout.on('error', error => (error.code === 'EPIPE' ? done() : fail(new Error(`standard output: ${FAULTS[error.code] ?? error.message}`))));
+    process.stdout.write(bytes, error => error || done());
+  });
+}
+
 const endingOf = file => extname(file).slice(1).toLowerCase();
 const hasEnding = ending => row => row.suffix === ending || row.spelling === ending;
 
@@ -103,10 +112,11 @@ async function draw(z, { file, output, query, type }) {
   if (output && output !== '-' && resolve(output) === resolve(file)) throw new WrongLine(`${file}: the output would overwrite its own input`);
   const body = file === '-' ? readFileSync(0) : await readFile(file);
   const kind = type ?? formats.find(row => row.suffix === ending)?.suffix;
-  const asked = { ...(output ? encodingOf(z.tables, output, query.channel) : {}), ...query };
+  const isModel = !formats.find(row => row.suffix === kind)?.isScene, name = file === '-' ? undefined : basename(file);
+  const asked = { ...(output ? encodingOf(z.tables, output, query.channel) : {}), ...(query.annotate && isModel && name ? { title: name } : {}), ...query };
   const picture = z.draw(body, { query: asked, type: kind, parts: await neighbours(z, file, body, kind) }), { bytes, type: made } = picture.encode();
   for (const line of picture.warnings) console.error(`zraster: ${file}: ${line}`);
-  if (output === '-' || (!output && file === '-')) return new Promise(done => process.stdout.write(bytes, done));
+  if (output === '-' || (!output && file === '-')) return print(bytes);
   const row = encodings.find(row => row.type === made) ?? encodings[0], wanted = output ? endingOf(output) : '';
   if (wanted && !hasEnding(wanted)(row) && !(row.name === 'apng' && wanted === 'png'))
     throw new WrongLine(`${output}: nothing is saved: the output is ${row.name.toUpperCase()}, so its name ends in .${row.suffix}`);

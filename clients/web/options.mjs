@@ -1,7 +1,10 @@
 /* options.mjs - options of a call, by the rows of the renderer: parameters of the query, and keys of the scene. */
 import { ZrasterError } from './errors.mjs';
 
-const OWN = new Set(['type', 'query', 'parts', 'signal', 'raw']);
+/** Marks options that were split before. */
+export const CHECKED = Symbol('checked');
+
+const OWN = new Set(['type', 'query', 'parts', 'signal']);
 const camel = name => name.replace(/_([a-z])/g, (_, letter) => letter.toUpperCase());
 const rows = new WeakMap();
 
@@ -38,16 +41,18 @@ function setKey(keys, row, name, value) {
   if (row.pointer.startsWith('/lights/0/')) keys.lights[0].type ??= 'directional';
 }
 
-function sizeOf(size) {
-  const [width, height] = Array.isArray(size) ? size : [size, size];
+function sizeOf(size, given) {
+  const sides = [size].flat(), [width, height = width] = sides;
+  if (!sides.length || sides.length > 2 || 'width' in given || 'height' in given)
+    throw new ZrasterError('bad-request', 'size: a number, or a width and a height, without width and height beside it');
   return { width, height };
 }
 
 /** Splits the options of a body: { keys, request }. isScene: of a scene, whose keys replace parameters of models. */
 export function split(tables, options, isScene) {
-  const { size, channels, raw, ...given } = options, keys = {}, request = {}, query = {};
-  if (raw) return { keys, request: given };
-  const all = { ...given, ...(size === undefined ? {} : sizeOf(size)) };
+  const { size, channels, [CHECKED]: isChecked, ...given } = options, keys = {}, request = {}, query = {};
+  if (isChecked) return { keys, request: given };
+  const all = { ...given, ...(size == null ? {} : sizeOf(size, given)) };
   for (const [option, value] of Object.entries(all)) {
     const name = camel(option), row = rowsOf(tables).get(name);
     if (OWN.has(option)) request[option] = value;
@@ -60,7 +65,6 @@ export function split(tables, options, isScene) {
   const outputs = channels === undefined ? [] : [channels].flat();
   if (!isScene && outputs.length && !outputs.some(isObject)) query.channel = outputs.join(',');
   else if (outputs.length) keys.outputs = outputs.map(item => (isObject(item) ? item : { channel: item }));
-  const asked = typeof request.query === 'string' ? Object.fromEntries(new URLSearchParams(request.query)) : request.query;
-  if (Object.keys(query).length) request.query = { ...asked, ...query };
+  if (Object.keys(query).length) request.query = [...new URLSearchParams(request.query), ...Object.entries(query)];
   return { keys, request };
 }

@@ -13,7 +13,7 @@ async function sourceOf(source) {
 
 /* A Worker, which gets one question at a time. start(take, fail) makes it, with postMessage and terminate as everywhere. */
 class Connection {
-  #worker; #asked = null; #ended;
+  #worker; #asked = null; #ended; #why = null;
   constructor(start, ended) {
     this.#ended = ended;
     this.#worker = start(message => this.#settle(message), text => this.end(refusal('internal', `the Worker ended: ${text}`)));
@@ -21,9 +21,14 @@ class Connection {
   }
   ask(name, values) {
     return new Promise((resolve, reject) => {
-      this.#asked = { resolve, reject };
+      if (this.#why) throw this.#why;
+      try {
+        this.#worker.postMessage({ name, values });
+      } catch (error) {
+        throw refusal('bad-request', error.message);
+      }
       this.#worker.ref?.();
-      this.#worker.postMessage({ name, values });
+      this.#asked = { resolve, reject };
     });
   }
   #settle({ result, error }) {
@@ -34,6 +39,7 @@ class Connection {
     else asked?.resolve(result);
   }
   end(error) {
+    this.#why ??= error;
     this.#worker.terminate();
     this.#asked?.reject(error);
     this.#asked = null;
@@ -79,11 +85,13 @@ export class Zraster {
     if (this.#isAtWork) return;
     this.#isAtWork = true;
     while (this.#queue.length) {
+      const opened = this.#open();
       try {
-        await this.#open();
+        await opened;
       } catch (error) {
-        this.#refuse(error);
+        if (!this.#opened) this.#refuse(error);
       }
+      if (opened !== this.#opened) continue; /* another Worker is there, or begins */
       const call = this.#running = this.#queue.shift();
       if (!call) continue;
       if (call.run !== null && call.run !== this.#run) call.reject(refusal('ended', 'the Worker of this object has ended'));
@@ -129,7 +137,10 @@ export class Zraster {
   async reopen() {
     this.#isClosed = false;
     this.#stop('it is opened again');
-    await this.#open();
+    await this.#open().catch(error => {
+      if (!this.#opened) throw error;
+      return this.#opened; /* of a later reopen() */
+    });
   }
   async draw(body, options) { return new Picture(this, await this.call(0, 'draw', [body], options)); }
   async read(body, options) { return new Scene(this, await this.call(0, 'read', [body], options)); }
@@ -152,7 +163,11 @@ class Held {
     Object.assign(this, facts);
   }
   async call(name, values, options) { return this.z.call(this.id, name, values, options, this.run); }
-  async free() { if (this.run === this.z.run) await this.call('free', []); }
+  async free() {
+    const isHere = !this.isFreed && this.run === this.z.run;
+    this.isFreed = true;
+    if (isHere) await this.call('free', []);
+  }
 }
 
 export class Scene extends Held {

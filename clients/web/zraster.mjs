@@ -1,11 +1,11 @@
 /* zraster.mjs - the renderer as an ES module. load() opens zraster.wasm; see README.md and zraster.d.ts. */
 import { ZrasterError } from './errors.mjs';
-import { split } from './options.mjs';
+import { CHECKED, split } from './options.mjs';
 
 export { ZrasterError };
 
 const STATUS = ['ok', 'bad-syntax', 'bad-type', 'bad-request', 'bad-scene', 'no-memory', 'cancelled', 'internal'];
-const PAGE = 65536, INITIAL_PAGES = 128, MAXIMUM = 65536 * PAGE, OPTIONAL = 2;
+const PAGE = 65536, INITIAL_PAGES = 128, LEAST = 2 ** 24, AGAIN = '; reopen() opens it again', MAXIMUM = 65536 * PAGE, OPTIONAL = 2;
 const utf8 = new TextEncoder(), text = new TextDecoder();
 /* By the numbers of zraster.h: bytes, f4, f8, u1, i4, u4, i8, u8. */
 const ARRAYS = [Uint8Array, Float32Array, Float64Array, Uint8Array, Int32Array, Uint32Array, BigInt64Array, BigUint64Array];
@@ -17,6 +17,7 @@ function bytesOf(value) {
   if (typeof value === 'string') return utf8.encode(value);
   if (value instanceof ArrayBuffer) return new Uint8Array(value);
   if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+  if (value?.then || value?.arrayBuffer) throw new ZrasterError('bad-request', 'the body is a promise, a Blob or a Response: await its bytes');
   return utf8.encode(JSON.stringify(value));
 }
 
@@ -58,9 +59,10 @@ function importsOf(module, memory) {
 }
 
 /** Compiles and opens the module: a URL, a Response, bytes, a WebAssembly.Module, or a promise of one. */
-export async function load(source, { memoryMax = 2 ** 30 } = {}) {
-  if (!(memoryMax >= INITIAL_PAGES * PAGE && memoryMax <= MAXIMUM))
-    throw new ZrasterError('bad-request', `memoryMax: ${memoryMax} is not between 8 MiB and 4 GiB`);
+export async function load(source, { memoryMax = 2 ** 30, ...others } = {}) {
+  for (const name in others) throw new ZrasterError('bad-request', `unknown option: ${name}`);
+  if (!(memoryMax >= LEAST && memoryMax <= MAXIMUM))
+    throw new ZrasterError('bad-request', `memoryMax: ${memoryMax} is not between 16 MiB and 4 GiB`);
   const renderer = new Zraster(await compile(source), memoryMax);
   await renderer.reopen();
   return renderer;
@@ -70,6 +72,7 @@ export class Zraster {
   #module; #memoryMax; #memory; #exports; #renderer = 0; #tables; #ended = 'it is not open';
   /* Rises with each opening: objects of an earlier one are gone. */
   #opening = 0;
+  #closings = 0;
 
   constructor(module, memoryMax) {
     this.#module = module;
@@ -81,7 +84,8 @@ export class Zraster {
     this.#ended = 'it is being opened';
     this.#opening++;
     const memory = new WebAssembly.Memory({ initial: INITIAL_PAGES, maximum: Math.floor(this.#memoryMax / PAGE) });
-    const instance = await WebAssembly.instantiate(this.#module, importsOf(this.#module, memory));
+    const closings = this.#closings, instance = await WebAssembly.instantiate(this.#module, importsOf(this.#module, memory));
+    if (closings !== this.#closings) return;
     this.#memory = memory;
     this.#exports = instance.exports;
     this.#ended = '';
@@ -114,9 +118,9 @@ export class Zraster {
   draw(body, options = {}) {
     const { keys, request } = split(this.tables, options, isScene(body, options.type, this.tables));
     if (!Object.keys(keys).length) return new Picture(this, this.request(body, request, 'zraster_draw', this.#renderer));
-    if (isDocument(body)) return this.draw({ ...body, ...keys }, { ...request, raw: true });
-    const scene = this.read(body, { ...request, raw: true });
-    try { return scene.draw(keys, { raw: true }); } finally { scene.free(); }
+    if (isDocument(body)) return this.draw({ ...body, ...keys }, { ...request, [CHECKED]: true });
+    const scene = this.read(body, { ...request, [CHECKED]: true });
+    try { return scene.draw(keys, { [CHECKED]: true }); } finally { scene.free(); }
   }
 
   /** Draws the colours for a canvas. */
@@ -143,6 +147,8 @@ export class Zraster {
 
   /** Compares two scenes: the numbers of "Comparing models". */
   compare(a, b, query = '') {
+    for (const scene of [a, b])
+      if (!(scene instanceof Scene && scene.z === this)) throw new ZrasterError('bad-request', 'compare() takes two scenes that this renderer has read');
     return this.within(hold => {
       const queryAt = query ? hold(this.put(utf8.encode(queryText(query)), 1)) : 0, out = hold(this.room(8));
       this.check(this.call('zraster_compare', a.at, b.at, queryAt, 0, out, out + 4), out + 4);
@@ -154,9 +160,9 @@ export class Zraster {
   }
 
   close() {
-    if (this.#ended) return;
-    this.call('zraster_close', this.#renderer);
-    this.#ended = 'it is closed';
+    this.#closings++;
+    if (!this.#ended) this.call('zraster_close', this.#renderer);
+    this.#ended = `it is closed${AGAIN}`;
     this.#memory = { buffer: new ArrayBuffer(0) };
     this.#exports = null;
   }
@@ -167,12 +173,12 @@ export class Zraster {
 
   /** Calls a function of the module. An exception there is a trap: the module's memory is undefined then, so it ends. */
   call(name, ...numbers) {
-    if (this.#ended) throw new ZrasterError('ended', `zraster cannot be used: ${this.#ended}; reopen() opens it again`);
+    if (this.#ended) throw new ZrasterError('ended', `zraster cannot be used: ${this.#ended}`);
     try {
       return this.#exports[name](...numbers);
     } catch (error) {
-      this.#ended = `it ended with a fault (${error.message ?? error})`;
-      throw Object.assign(new ZrasterError('internal', `zraster: ${this.#ended}; reopen() opens it again`), { cause: error });
+      this.#ended = `it ended with a fault (${error.message ?? error})${AGAIN}`;
+      throw Object.assign(new ZrasterError('internal', `zraster: ${this.#ended}`), { cause: error });
     }
   }
   bytes() { return new Uint8Array(this.#memory.buffer); }
@@ -242,7 +248,8 @@ export class Zraster {
     const count = error ? this.call('zraster_error_count', error) : 0;
     for (let i = 0; i < count; i++)
       faults.push({ pointer: this.string(this.call('zraster_error_pointer', error, i)), detail: this.string(this.call('zraster_error_detail', error, i)) });
-    const message = error ? this.string(this.call('zraster_error_text', error)) : '';
+    let message = error ? this.string(this.call('zraster_error_text', error)) : '';
+    if (STATUS[status] === 'no-memory') message += `; memoryMax is ${this.#memoryMax} bytes, and free() and reopen() return memory`;
     if (error) this.call('zraster_error_free', error);
     throw new ZrasterError(STATUS[status] ?? 'internal', message, faults);
   }
@@ -252,7 +259,10 @@ function queryText(query) {
   return typeof query === 'string' ? query : new URLSearchParams(query).toString();
 }
 
-const imageOf = ({ data, shape }) => new ImageData(new Uint8ClampedArray(data.buffer), shape[1], shape[0]);
+function imageOf({ data, shape }) {
+  if (typeof ImageData === 'undefined') throw new ZrasterError('bad-request', "there is no ImageData here; channel('color') has the colours");
+  return new ImageData(new Uint8ClampedArray(data.buffer), shape[1], shape[0]);
+}
 
 /* The colours of a picture, which is freed. */
 function taken(picture) {

@@ -121,11 +121,25 @@ static double layer_walks(const struct zr_view *view)
            (zr_view_has_masks(view) ? 1.0 : 0.0);
 }
 
-/* A wall is searched for in a tree of all triangles, from each covered pixel. Half of the faces look away. */
+/* Faces above one another in a pixel of the window. */
+static double depth_of(const struct zr_cost_sample *sample)
+{
+    return sample->scale * sample->fragments / (sample->width * sample->height);
+}
+
+/* A wall is searched for in a tree of all triangles, from each covered pixel. Half of the faces look away. Where many lie
+ * above one another, more of the tree is visited. */
 static double wall_pixels(const struct zr_cost_sample *sample)
 {
     const double faces = sample->faces * sample->scale, covered = 0.5 * sample->scale * sample->fragments;
-    return fmin(covered, sample->width * sample->height) * pow(fmax(faces / 1000.0, 1.0), 0.3);
+    return fmin(covered, sample->width * sample->height) * pow(fmax(faces / 1000.0, 1.0), 0.3) *
+           (1.0 + fmin(depth_of(sample), 240.0) / 16.0);
+}
+
+/* Layers are sorted in each pixel. */
+static double sorted_layers(const struct zr_cost_sample *sample)
+{
+    return sample->scale * sample->fragments * fmin(fmax(depth_of(sample) / 12.0, 1.0), 8.0);
 }
 
 static double square(double value)
@@ -254,7 +268,7 @@ static void count_fragments(const struct zr_cost_sample *sample, const struct zr
     const double layer_times = zr_cost_lights_surfaces(scene) ? LAYER_SURFACE_TIMES * surfaces_a_pixel(sample) : 1.0;
     counts[ZR_COST_LAYER] = layer_times * repeats * drawn * scale * sample->layered * fmax(log2(depth) / 10.0, 1.0);
     if (scene->csg) counts[ZR_COST_SOLID_SAMPLE] = (times + passes->map_texels * scale / pixels) * sample->fragments;
-    counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * sample->fragments;
+    counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * sorted_layers(sample);
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_WALL)) counts[ZR_COST_WALL_PIXEL] = wall_pixels(sample);
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_TRACE)) count_trace(sample, counts);
     counts[ZR_COST_MAP_TEXEL] = passes->map_texels;

@@ -57,7 +57,7 @@
     ROW(LINEAR_LEVEL_TEXEL, 7.0, "texels of textures' levels in linear light")                                         \
     ROW(FACT, 800.0, "triangles of parts that info measures")                                                          \
     ROW(FEATURE, 2000.0, "triangles among which info finds features, and 100 per part")                                \
-    ROW(INFO, 3e6, "scenes whose overlaps info measures")                                                              \
+    ROW(INFO, 4e6, "scenes whose overlaps info measures")                                                              \
     ROW(PART, 60e3, "parts that info lists")                                                                           \
     ROW(SECTION_CORNER, 60.0, "corners of faces times planes of sections")                                             \
     ROW(CAP_TILE, 6.0, "corners of caps times tiles of the window")                                                    \

@@ -27,6 +27,23 @@ await test('a module, a promise of bytes and a Response open it', async () => {
 await test('a scene draws as its text does', () => {
   sameBytes(z.draw(scene).encode().bytes, z.draw(JSON.stringify(scene)).encode().bytes);
 });
+await test('what is no option, body or scene is refused', async () => {
+  const isRefused = error => error.status === 'bad-request', other = await load();
+  for (const options of [{ size: [] }, { size: [1, 2, 3] }, { size: 20, width: 10 }, { raw: true, lok: 1 }, { query: 'look=clay&look=dark', size: 40 }, { query: 5, size: 40 }])
+    assert.throws(() => z.draw(OBJ, options), isRefused, JSON.stringify(options));
+  assert.deepEqual(z.draw(OBJ, { size: [80] }).channel().shape, [80, 80, 4]);
+  for (const body of [Promise.resolve(OBJ), new Blob([OBJ]), new Response(OBJ)]) assert.throws(() => z.draw(body), isRefused);
+  for (const options of [{ memorymax: 2 ** 28 }, { memoryMax: 2 ** 23 }]) await assert.rejects(load(undefined, options), isRefused);
+  const mine = z.read(OBJ);
+  for (const wrong of [other.read(OBJ), z.draw(OBJ, { size: 9 }), {}, undefined]) assert.throws(() => z.compare(mine, wrong), isRefused);
+  assert.throws(() => z.imageData(OBJ), isRefused); /* Node has no ImageData */
+});
+await test('a module that is closed while it opens stays closed', async () => {
+  const other = await load(), opening = other.reopen();
+  other.close();
+  await opening;
+  assert.throws(() => other.draw(OBJ), refused('ended'));
+});
 await test('options are parameters, in both spellings', () => {
   const want = z.draw(OBJ, { query: 'look=clay&width=90&height=70&creaseDegrees=10' }).encode().bytes;
   sameBytes(want, z.draw(OBJ, { look: 'clay', size: [90, 70], creaseDegrees: 10 }).encode().bytes);

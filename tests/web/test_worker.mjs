@@ -55,6 +55,25 @@ await test('a closed Worker says so, and is opened again', async () => {
   assert.deepEqual((await picture.channel()).shape, [20, 20, 4]);
   closed.close();
 });
+await test('a Worker that is opened and closed at once settles all calls', async () => {
+  const other = await worker.load(), statusOf = ({ reason }) => reason?.status;
+  assert.deepEqual(await Promise.all([other.reopen(), other.reopen()]), [undefined, undefined]);
+  const calls = [other.draw(OBJ, { size: 20 })];
+  other.close();
+  calls.push(other.reopen(), other.draw(OBJ, { size: 30 }));
+  const settled = await Promise.allSettled(calls);
+  assert.deepEqual(settled.map(statusOf), ['cancelled', undefined, undefined]);
+  assert.deepEqual((await settled[2].value.channel()).shape, [30, 30, 4]);
+  const opening = other.reopen();
+  other.close();
+  await assert.rejects(opening, error => error.status === 'cancelled');
+});
+await test('what cannot be sent is refused, and a picture is freed twice', async () => {
+  await assert.rejects(there.draw(OBJ, { look: () => 1 }), error => error.status === 'bad-request');
+  const picture = await there.draw(OBJ, { size: 20 });
+  await picture.free();
+  await picture.free();
+});
 await test('a URL of a file, its text and a Response open both', async () => {
   const url = new URL('zraster-scalar.wasm', folder), response = () => new Response(readFileSync(url), { headers: { 'Content-Type': 'application/wasm' } });
   for (const source of [() => url, () => url.href, response])

@@ -101,7 +101,7 @@ codec_sources := $(addprefix $(sources)/zlib/,$(addsuffix .c,adler32 compress cr
 		jcparam jcphuff jcprepct jcsample jctrans jdapimin jdapistd jdatadst jdatasrc jdcoefct jdcolor jddctmgr jdhuff jdicc jdinput jdmainct jdmarker \
 		jdmaster jdmerge jdphuff jdpostct jdsample jdtrans jerror jfdctflt jfdctfst jfdctint jidctflt jidctfst jidctint jidctred jquant1 jquant2 \
 		jutils jmemmgr jmemnobs jsimd_none jcarith jdarith jaricom))
-# Search of matches as by libisal's assembler code, in place of its igzip_icf_base.c: files have the same bytes.
+# Search of matches as by libisal's assembler code, in place of its C code: files have the same bytes.
 isal_level1 := $(BUILD)/clients/web/module/isal_level1.o
 $(isal_level1): OURS += -isystem $(sources)/isal/include -isystem $(sources)/isal/igzip -O2
 codecs := $(codec_sources:$(sources)/%.c=$(BUILD)/codecs/%.o) $(isal_level1)
