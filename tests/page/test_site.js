@@ -184,6 +184,24 @@ const tests = {
     await redrawn(page, () => page.selectOption('#example', 'pawns'));
     check('without a network: opened, drawn, another look, another example', await page.isHidden('#note'), await page.textContent('#note'));
     await page.context().setOffline(false);
+
+    // A copy of another version on the same origin.
+    const root = path.join(work, 'copies');
+    for (const name of ['a', 'a/b']) fs.cpSync(site, path.join(root, name), { recursive: true, filter: (file) => !file.startsWith(path.join(site, 'docs')) });
+    const script = path.join(root, 'a/b/offline.js');
+    fs.writeFileSync(script, fs.readFileSync(script, 'utf8').replace(/VERSION = '\w+'/, "VERSION = 'other'"));
+    const origin = await folder(root), copy = await open(browser, origin, { hash: '/a/' });
+    const has = (names) => copy.waitForFunction(async (names) => String((await caches.keys()).sort()) === names, String(names.map((name) => `zraster ${origin}${name}`)), { timeout: 20000 }).then(() => true, () => copy.evaluate(() => caches.keys()));
+    const [, version] = /VERSION = '(\w+)'/.exec(fs.readFileSync(path.join(site, 'offline.js'), 'utf8'));
+    await copy.evaluate(() => navigator.serviceWorker.ready);
+    await copy.goto(origin + '/a/b/');
+    await copy.evaluate(() => navigator.serviceWorker.ready);
+    let found = await has(['/a/ ' + version, '/a/b/ other']);
+    check('copies on one origin keep their caches', found === true, found);
+    fs.writeFileSync(script, fs.readFileSync(script, 'utf8').replace('other', 'newer'));
+    await copy.reload();
+    found = await has(['/a/ ' + version, '/a/b/ newer']);
+    check('a new version of one deletes the cache of its old one alone', found === true, found);
   },
 
   gallery: (browser) => gallery(browser, address, '/docs/gallery.html'),
