@@ -123,20 +123,17 @@ function listenToText() {
     state.example = '';
     typed = area.value;
     setText(area.value);
-    editTimer = setTimeout(() => {
-      if (state.isValid) refresh();
-      else checkSyntax();
-    }, 250);
+    editTimer = setTimeout(refresh, 250);
   };
   area.onscroll = follow;
 }
 
 // Finds the place at which the JSON breaks.
 async function checkSyntax() {
+  const { text } = state;
   try {
-    if (!HAS_DAEMON) await readHere(state.text || ' ');
-    else await call('v1/render?channel=info&render=false', { method: 'POST', body: state.text || ' ', headers: { 'Content-Type': 'application/json' } });
+    await (HAS_DAEMON ? readThere : readHere)(text || ' ');
   } catch (error) {
-    showErrors(error);
+    if (text === state.text) showErrors(error);
   }
 }

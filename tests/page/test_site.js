@@ -130,6 +130,34 @@ const tests = {
     check('dropped: nothing in the console', page.faults.length === 0, page.faults);
   },
 
+  // Texts that are not valid JSON, from files.
+  async broken(browser) {
+    const page = await open(browser, address), suite = path.join(process.env.DATA || '', 'json-test-suite/test_parsing');
+    await drawn(page);
+    await quiet(page);
+    const files = [['', 'line 1, column 2'], ['{', 'line 1, column 2'], ['{bad', 'line 1, column 2'], ['not json', 'line 1, column 1'], ['{"look": "clay",\n}', 'line 2, column 1'], ['[]', 'a list']]
+      .map(([text, expected], i) => ({ name: `broken${i}.json`, buffer: Buffer.from(text), expected }));
+    const isRefused = (text) => { try { JSON.parse(text); } catch { return true; } return false; };
+    for (const name of given('json-test-suite/test_parsing').length ? fs.readdirSync(suite) : []) {
+      const buffer = fs.readFileSync(path.join(suite, name));
+      if (isRefused(new TextDecoder().decode(buffer))) files.push({ name, buffer, expected: ' ' });
+    }
+    const silent = [];
+    for (const { name, buffer, expected } of files) {
+      await page.evaluate(() => showErrors(null));
+      await page.setInputFiles('#file', { name, mimeType: 'application/json', buffer });
+      const isSaid = (expected) => [byId('note'), byId('faults')].every((node) => !node.hidden && node.textContent.includes(expected));
+      await page.waitForFunction(isSaid, expected, { timeout: 5000 }).catch(async () => silent.push([name, await page.textContent('#note')]));
+    }
+    check(`${files.length} broken files are refused, with the place`, silent.length === 0, silent);
+    await redrawn(page, () => page.setInputFiles('#file', { name: 'whole.json', mimeType: 'application/json', buffer: Buffer.from('{"look": "clay", "polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]}') }));
+    check('a whole one is drawn after them', await page.isHidden('#note') && await page.isHidden('#faults'), await page.textContent('#note'));
+    await page.goto(address + '/#' + encodeURIComponent('{"look": "clay",'));
+    await page.reload();
+    await page.waitForFunction(() => /line 1, column 17/.test(byId('note').textContent), null, { timeout: 20000 });
+    check('broken: nothing in the console', page.faults.length === 0, page.faults);
+  },
+
   async faults(browser) {
     const page = await open(browser, address);
     await drawn(page);
