@@ -102,6 +102,9 @@ async function renderThere(text, changes, query, signal) {
   };
 }
 
+// Reads a text that is not valid JSON, for its faults.
+const readThere = (body) => call('v1/render' + FACTS, { method: 'POST', body, headers: { 'Content-Type': 'application/json' } });
+
 function copyCurl() {
   const names = copiedNames(), address = quoted(new URL('v1/render' + pictureQuery(), location.href.replace(/#.*/, '')).href);
   const token = server.token ? ' \\\n  -H "Authorization: Bearer $ZRASTER_TOKEN"' : '';

@@ -79,7 +79,7 @@ function follow() {
 }
 
 // Lists of allowed words are in the title.
-const withoutList = (detail) => detail.replace(/; (allowed|known here): .*/s, '');
+const withoutList = (detail) => detail.replace(/; (allowed|known here): .*/s, '').replace(/no part of the request has the name ('.*')/, '$1 is missing: drop that file, too');
 
 // Shows the faults of a refusal, or none, with the warnings of a picture.
 function showErrors(refusal, warnings = '') {
@@ -110,7 +110,7 @@ function showErrors(refusal, warnings = '') {
     const [first] = faults, more = faults.length - 1;
     say((first.pointer ? first.pointer + ': ' : '') + withoutList(first.detail) + (more > 0 ? `, and ${more} more` : ''), true);
   } else {
-    say('');
+    say(state.word);
   }
   mark();
 }
@@ -123,20 +123,17 @@ function listenToText() {
     state.example = '';
     typed = area.value;
     setText(area.value);
-    editTimer = setTimeout(() => {
-      if (state.isValid) refresh();
-      else checkSyntax();
-    }, 250);
+    editTimer = setTimeout(refresh, 250);
   };
   area.onscroll = follow;
 }
 
 // Finds the place at which the JSON breaks.
 async function checkSyntax() {
+  const { text } = state;
   try {
-    if (!HAS_DAEMON) await readHere(state.text || ' ');
-    else await call('v1/render?channel=info&render=false', { method: 'POST', body: state.text || ' ', headers: { 'Content-Type': 'application/json' } });
+    await (HAS_DAEMON ? readThere : readHere)(text || ' ');
   } catch (error) {
-    showErrors(error);
+    if (text === state.text) showErrors(error);
   }
 }

@@ -72,7 +72,6 @@ function openEngine() {
 
 // Draws as render() does. A rough picture has an image, and no blob.
 async function drawHere(text, changes, query, signal, isRough) {
-  await openEngine();
   const { all: parts } = await prepare(text), began = performance.now(), drawer = isRough ? engine.rough : engine.whole;
   const given = new URLSearchParams(query), channels = changes.outputs ? changes.outputs.map(({ channel }) => channel) : [given.get('channel') || 'color'];
   given.delete('render');
@@ -93,11 +92,12 @@ async function drawHere(text, changes, query, signal, isRough) {
   return answer;
 }
 
-// The same again, three times at most, while other requests end the Worker. After a fault of the module itself, another is opened.
-async function renderHere(text, changes, query, signal, isRough) {
+// Acts again, three times at most, while other requests end the Worker. After a fault of the module itself, another is opened.
+async function tryHere(act, signal, isRough) {
   for (let tries = 1; ; tries++) {
     try {
-      return await drawHere(text, changes, query, signal, isRough);
+      await openEngine();
+      return await act();
     } catch (error) {
       if (error.status === 'internal' && engine.opening) await (isRough ? engine.rough : engine.whole).z.reopen();
       const isOfOther = (error.status === 'cancelled' || error.status === 'ended') && !signal?.aborted;
@@ -106,12 +106,5 @@ async function renderHere(text, changes, query, signal, isRough) {
   }
 }
 
-// Reads a text that is not valid JSON, for its faults.
-async function readHere(text) {
-  await openEngine();
-  try {
-    await engine.whole.next(() => engine.whole.z.read(text, { type: 'application/json', raw: true }));
-  } catch (error) {
-    throw refusalOf(error);
-  }
-}
+// Does as readThere() does.
+const readHere = (text) => tryHere(() => engine.whole.next(() => engine.whole.z.read(text, { type: 'application/json', raw: true })));

@@ -2,23 +2,30 @@
 
 const formatOf = (file) => FORMATS.find(({ ending }) => file.name.toLowerCase().endsWith('.' + ending));
 
+// Models with the same upward axis as the first one become one scene. Files that a fault or a warning names are only added.
 async function openFiles(list) {
-  const opened = [...list];
-  const scene = opened.find((file) => formatOf(file)?.isScene);
-  const model = opened.find((file) => formatOf(file)?.isScene === false);
-  if (!scene && !model) {
-    say(`These files hold no scene or model. Their endings are ${FORMATS.map(({ ending }) => '.' + ending).join(', ')}.`, true);
+  const opened = [...list], isAsked = opened.some(({ name }) => faults.some(({ detail }) => detail.split(/'(mtllib |map_Kd )?/).includes(name)));
+  const known = opened.filter(formatOf), scene = known.find((file) => formatOf(file).isScene);
+  if (!known.length && !isAsked) {
+    say(`These files hold no scene or model. Their endings are ${FORMATS.map(({ ending }) => '.' + ending).join(', ')}. Of a folder, open the files in it. Archives (.zip) are for the command and the daemon.`, true);
     return;
   }
-  for (const file of opened) if (file !== scene) files.set(file.name, { blob: file, together: opened.length > 1 });
+  let { text } = state;
+  if (scene) {
+    text = await scene.text();
+  } else if (!isAsked) {
+    const { isZUp } = formatOf(known[0]);
+    const meshes = known.filter((file) => formatOf(file).isZUp === isZUp).map(({ name }) => toLine({ name: name.replace(/\.[^.]*$/, ''), asset: name }));
+    text = `{\n  "look": "studio",\n${isZUp ? '  "up": "z",\n' : ''}  "meshes": [${meshes.join(',\n    ')}]\n}\n`;
+  }
+  for (const file of opened) if (file !== scene) files.set(file.name, { blob: file, together: isAsked || opened.length > 1 });
+  if (isAsked) for (const name of copiedNames()) if (files.has(name)) files.get(name).together = true;
   bundle = { text: null };
   state.example = '';
-  if (scene) {
-    setText(await scene.text());
-  } else {
-    const name = model.name.replace(/\.[^.]*$/, '');
-    setText(`{\n  "look": "studio",\n${formatOf(model).isZUp ? '  "up": "z",\n' : ''}  "meshes": [${toLine({ name, asset: model.name })}]\n}\n`);
-  }
+  setText(text);
+  const [taken, left] = [true, false].map((is) => opened.filter((file) => (known.includes(file) || /\.zip$/i.test(file.name)) &&
+    (file === scene || copiedNames().includes(file.name)) === is).map(({ name }) => name).join(', '));
+  if (left) state.word = `Opened: ${taken}. Left out: ${left}.`;
   state.channel = 'color';
   refresh();
 }

@@ -61,15 +61,13 @@ function adapt(answer) {
   }
 }
 
-// Asks for a whole picture now, or for a rough one.
+// Asks for a whole picture now, or for a rough one; of broken JSON for its fault.
 function refresh(isRough = false) {
-  if (!isRough) {
-    idle.abort();
-    if (!state.isValid) return;
-  }
-  pending = { isRough };
+  if (!isRough) idle.abort();
+  pending = state.isValid && { isRough };
   if (whole) whole.abort();
-  pump();
+  if (pending) pump();
+  else checkSyntax();
 }
 
 async function pump() {

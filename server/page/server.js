@@ -81,7 +81,7 @@ async function prepare(text) {
 async function render(text, changes, query, signal, isRough = false) {
   const isHere = HAS_ENGINE && (!HAS_DAEMON || isRough && motion.is && engine.rough);
   try {
-    if (isHere) return await renderHere(text, changes, query, signal, isRough);
+    if (isHere) return await tryHere(() => drawHere(text, changes, query, signal, isRough), signal, isRough);
   } catch (error) {
     if (!HAS_DAEMON || error.name === 'AbortError') throw error;
   }

@@ -12,6 +12,7 @@ const state = {
   pin: null, // shares of width and height
   picture: null, // the last whole answer: {blob, keys}
   example: '',
+  word: '', // said beside a picture without a fault
 };
 
 const listeners = [];
@@ -45,6 +46,7 @@ function setText(text, isOwn = false) {
   if (state.text && state.text !== text && byId('text').value !== text) past.push(state.text);
   if (past.length > 100) past.shift();
   state.text = text;
+  state.word = '';
   const scene = parsed(text);
   state.isValid = scene !== null;
   if (scene) state.scene = scene;

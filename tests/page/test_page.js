@@ -415,12 +415,26 @@ const tests = {
       const middle = await page.evaluate(() => [...byId('picture').getContext('2d').getImageData(byId('picture').width / 2, byId('picture').height / 2, 1, 1).data]);
       check(`${label}: files that refer to each other are dropped together`, middle[0] > 2 * middle[1], middle);
       check(`${label}: nothing in the console, such as a 404`, page.faults.length === 0, page.faults);
+      const isSaid = (text) => page.waitForFunction((text) => byId('note').textContent.includes(text), text, { timeout: 5000 }).then(() => true, () => false);
+      for (const [text, place] of [['', 'line 1'], ['{bad', 'line 1, column 2'], ['[]', 'a list']]) {
+        await page.setInputFiles('#file', { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from(text) });
+        check(`${label}: the broken file '${text}' is refused, with the place`, await isSaid(place), await page.textContent('#note'));
+      }
+      const parts = '{"meshes": [{"asset": "one.obj"}, {"asset": "two.obj"}]}', obj = (name) => ({ name, mimeType: 'model/obj', buffer: ball });
+      await page.setInputFiles('#file', [{ name: 'parts.json', mimeType: 'application/json', buffer: Buffer.from(parts) }, obj('one.obj')]);
+      check(`${label}: a missing file is asked for`, await isSaid("'two.obj' is missing: drop that file, too"), await page.textContent('#note'));
+      await redrawn(page, () => page.setInputFiles('#file', obj('two.obj')));
+      check(`${label}: it is added`, await page.inputValue('#text') === parts && await page.isHidden('#note'), await page.textContent('#note'));
+      await redrawn(page, () => page.setInputFiles('#file', [obj('one.obj'), { name: 'a.stl', mimeType: 'model/stl', buffer: Buffer.from('x') }]));
+      check(`${label}: a note tells of a file that is left out`, await page.textContent('#note') === 'Opened: one.obj. Left out: a.stl.', await page.textContent('#note'));
       await page.close();
     }
     const page = await open(browser, address);
     await drawn(page);
     await page.setInputFiles('#file', { name: 'notes.txt', mimeType: 'text/plain', buffer: Buffer.from('x') });
     check('other files are refused with a message', /hold no scene/.test(await page.textContent('#note')));
+    await page.setInputFiles('#file', { name: 'model.zip', mimeType: 'application/zip', buffer: Buffer.from('PK') });
+    check('an archive is for others', /Archives \(\.zip\) are for the command and the daemon/.test(await page.textContent('#note')), await page.textContent('#note'));
   },
 
   async token(browser) {

@@ -15,6 +15,12 @@ function given(name) {
   return [];
 }
 const BUNNY = 'models/stanford-bunny.obj';
+// A triangle with its points in another file.
+const GLTF = JSON.stringify({
+  asset: { version: '2.0' }, buffers: [{ uri: 'x.bin', byteLength: 36 }], bufferViews: [{ buffer: 0, byteLength: 36 }],
+  accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] }],
+  meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }], nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }],
+});
 let address = '';
 
 // Where the picture on the page differs from that of a file, in pixels; of other sizes: -1.
@@ -37,6 +43,21 @@ async function compareWithCommand(page, name) {
   await page.click('#copy-dialog .close');
   const { bytes, error } = run(name, text);
   check(`${name}: the pixels of the copied command`, bytes.length > 0 && await difference(page, bytes) === 0, error);
+}
+
+// The same of files that are no examples.
+async function compareWithCommandIn(page, name, list) {
+  fs.mkdirSync(path.join(work, name), { recursive: true });
+  for (const file of list) fs.copyFileSync(file, path.join(work, name, path.basename(file)));
+  await compareWithCommand(page, name);
+}
+
+// Drops files or folders of the disk on the picture. False in browsers without the protocol of chromium.
+async function dropped(page, list) {
+  const session = await page.context().newCDPSession(page).catch(() => null);
+  for (const type of session ? ['dragEnter', 'dragOver', 'drop'] : [])
+    await session.send('Input.dispatchDragEvent', { type, x: 300, y: 300, data: { items: [], files: list, dragOperationsMask: 1 } });
+  return Boolean(session);
 }
 
 const tests = {
@@ -121,13 +142,93 @@ const tests = {
     const page = await open(browser, address);
     await drawn(page);
     for (const file of models) {
-      fs.mkdirSync(path.join(work, path.basename(file)), { recursive: true });
-      fs.copyFileSync(file, path.join(work, path.basename(file), path.basename(file)));
       await redrawn(page, () => page.setInputFiles('#file', file));
       await quiet(page);
-      await compareWithCommand(page, path.basename(file));
+      await compareWithCommandIn(page, path.basename(file), [file]);
     }
     check('dropped: nothing in the console', page.faults.length === 0, page.faults);
+  },
+
+  // Texts that are not valid JSON, from files.
+  async broken(browser) {
+    const page = await open(browser, address), suite = path.join(process.env.DATA || '', 'json-test-suite/test_parsing');
+    await drawn(page);
+    await quiet(page);
+    const files = [['', 'line 1, column 2'], ['{', 'line 1, column 2'], ['{bad', 'line 1, column 2'], ['not json', 'line 1, column 1'], ['{"look": "clay",\n}', 'line 2, column 1'], ['[]', 'a list']]
+      .map(([text, expected], i) => ({ name: `broken${i}.json`, buffer: Buffer.from(text), expected }));
+    const isRefused = (text) => { try { JSON.parse(text); } catch { return true; } return false; };
+    for (const name of given('json-test-suite/test_parsing').length ? fs.readdirSync(suite) : []) {
+      const buffer = fs.readFileSync(path.join(suite, name));
+      if (isRefused(new TextDecoder().decode(buffer))) files.push({ name, buffer, expected: ' ' });
+    }
+    const silent = [];
+    for (const { name, buffer, expected } of files) {
+      await page.evaluate(() => showErrors(null));
+      await page.setInputFiles('#file', { name, mimeType: 'application/json', buffer });
+      const isSaid = (expected) => [byId('note'), byId('faults')].every((node) => !node.hidden && node.textContent.includes(expected));
+      await page.waitForFunction(isSaid, expected, { timeout: 5000 }).catch(async () => silent.push([name, await page.textContent('#note')]));
+    }
+    check(`${files.length} broken files are refused, with the place`, silent.length === 0, silent);
+    await redrawn(page, () => page.setInputFiles('#file', { name: 'whole.json', mimeType: 'application/json', buffer: Buffer.from('{"look": "clay", "polygons": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]}') }));
+    check('a whole one is drawn after them', await page.isHidden('#note') && await page.isHidden('#faults'), await page.textContent('#note'));
+    await page.goto(address + '/#' + encodeURIComponent('{"look": "clay",'));
+    await page.reload();
+    await page.waitForFunction(() => /line 1, column 17/.test(byId('note').textContent), null, { timeout: 20000 });
+    check('broken: nothing in the console', page.faults.length === 0, page.faults);
+  },
+
+  // Several files at once, some of them missing, and files that the page does not open.
+  async several(browser) {
+    const page = await open(browser, address), example = (name) => path.join(site, 'v1/examples', name);
+    const made = (name, text) => {
+      fs.writeFileSync(path.join(work, name), text);
+      return path.join(work, name);
+    };
+    const note = async () => await page.isVisible('#note') ? page.textContent('#note') : '';
+    const assets = async () => String(JSON.parse(await page.inputValue('#text')).meshes.map(({ asset }) => asset));
+    const stl = made('a.stl', 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n');
+    const scene = made('scene.json', '{"meshes": [{"asset": "nut.obj"}, {"asset": "bolt.obj"}]}'), zip = made('b.zip', 'PK');
+    await drawn(page);
+    await redrawn(page, () => page.setInputFiles('#file', [example('pawn.obj'), example('ball.obj')]));
+    await quiet(page);
+    check('two models are one scene', await assets() === 'pawn.obj,ball.obj' && await note() === '', [await assets(), await note()]);
+    await compareWithCommandIn(page, 'two', [example('pawn.obj'), example('ball.obj')]);
+    await redrawn(page, () => page.setInputFiles('#file', [stl, example('wheel.obj'), zip]));
+    await quiet(page);
+    check('of models with other axes, and of an archive, a note tells', await assets() === 'a.stl' && /^Opened: a\.stl\. Left out: wheel\.obj, b\.zip\.$/.test(await note()), await note());
+    await redrawn(page, () => page.setInputFiles('#file', [scene, example('nut.obj'), example('bolt.obj')]));
+    check('a scene with its files has no note', await note() === '', await note());
+    await redrawn(page, () => page.setInputFiles('#file', [scene, example('nut.obj'), example('bolt.obj'), stl]));
+    check('of a model that the scene does not name, a note tells', /^Opened: scene\.json, nut\.obj, bolt\.obj\. Left out: a\.stl\.$/.test(await note()), await note());
+    await redrawn(page, () => page.check('input[value=clay]'));
+    check('it ends with the next change', await note() === '', await note());
+
+    // The site has files of the examples, so other names are needed.
+    const parts = made('parts.json', '{"look": "clay", "meshes": [{"asset": "one.obj"}, {"asset": "two.obj"}]}');
+    const [one, two] = ['one.obj', 'two.obj'].map((name) => made(name, fs.readFileSync(example('ball.obj'))));
+    const asks = async (list, missing) => {
+      await page.setInputFiles('#file', list);
+      const isSaid = await page.waitForFunction((name) => byId('note').textContent.includes(`'${name}' is missing: drop that file, too`), missing, { timeout: 5000 }).catch(() => false);
+      check(`${list.map((file) => path.basename(file))}: the note asks for ${missing}`, Boolean(isSaid), await note());
+    };
+    await asks([parts], 'one.obj');
+    await asks([one], 'two.obj');
+    await redrawn(page, () => page.setInputFiles('#file', two));
+    check('a file that the text asks for is added to it', await page.inputValue('#text') === fs.readFileSync(parts, 'utf8') && await note() === '', await note());
+
+    for (const [name, text, other] of [['buffered.gltf', GLTF, 'x.bin'], ['red.obj', 'mtllib my red.mtl\n' + fs.readFileSync(example('ball.obj')), 'my red.mtl']]) {
+      const model = made(name, text), isModel = name.endsWith('.gltf');
+      if (isModel) await page.setInputFiles('#file', model);
+      else await redrawn(page, () => page.setInputFiles('#file', model));
+      await page.waitForFunction((other) => byId('faults').textContent.includes(other), other, { timeout: 5000 });
+      await redrawn(page, () => page.setInputFiles('#file', made(other, isModel ? Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer) : 'newmtl red\nKd 0.9 0.1 0.1\n')));
+      check(`${other} is added to ${name}`, await assets() === name && await note() === '' && await page.isHidden('#faults'), [await assets(), await note(), await page.textContent('#faults')]);
+    }
+
+    await page.setInputFiles('#file', zip);
+    check('an archive is for others', /\.obj,/.test(await note()) && !/\.zip,/.test(await note()) && /Archives \(\.zip\) are for the command and the daemon/.test(await note()), await note());
+    if (await dropped(page, [path.join(site, 'v1')])) check('of a folder, its files are asked for', /Of a folder, open the files in it/.test(await note()), await note());
+    check('several: nothing in the console but missing files', page.faults.every((fault) => /404/.test(fault)), page.faults);
   },
 
   async faults(browser) {
@@ -184,6 +285,24 @@ const tests = {
     await redrawn(page, () => page.selectOption('#example', 'pawns'));
     check('without a network: opened, drawn, another look, another example', await page.isHidden('#note'), await page.textContent('#note'));
     await page.context().setOffline(false);
+
+    // A copy of another version on the same origin.
+    const root = path.join(work, 'copies');
+    for (const name of ['a', 'a/b']) fs.cpSync(site, path.join(root, name), { recursive: true, filter: (file) => !file.startsWith(path.join(site, 'docs')) });
+    const script = path.join(root, 'a/b/offline.js');
+    fs.writeFileSync(script, fs.readFileSync(script, 'utf8').replace(/VERSION = '\w+'/, "VERSION = 'other'"));
+    const origin = await folder(root), copy = await open(browser, origin, { hash: '/a/' });
+    const has = (names) => copy.waitForFunction(async (names) => String((await caches.keys()).sort()) === names, String(names.map((name) => `zraster ${origin}${name}`)), { timeout: 20000 }).then(() => true, () => copy.evaluate(() => caches.keys()));
+    const [, version] = /VERSION = '(\w+)'/.exec(fs.readFileSync(path.join(site, 'offline.js'), 'utf8'));
+    await copy.evaluate(() => navigator.serviceWorker.ready);
+    await copy.goto(origin + '/a/b/');
+    await copy.evaluate(() => navigator.serviceWorker.ready);
+    let found = await has(['/a/ ' + version, '/a/b/ other']);
+    check('copies on one origin keep their caches', found === true, found);
+    fs.writeFileSync(script, fs.readFileSync(script, 'utf8').replace('other', 'newer'));
+    await copy.reload();
+    found = await has(['/a/ ' + version, '/a/b/ newer']);
+    check('a new version of one deletes the cache of its old one alone', found === true, found);
   },
 
   gallery: (browser) => gallery(browser, address, '/docs/gallery.html'),

@@ -12,8 +12,8 @@ export LC_ALL=C
 server/page/page.sh "$work" site
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
-# Removes indentation, and comments that end a line.
-strip() { sed '/^ *\/\*.*\*\/$/d; s| */\*[^*]*\*/$||; s/^ *//' "$@" | sed '/^\/\*/,/\*\/$/d'; }
+# Removes indentation, empty lines, and comments that end a line.
+strip() { sed '/^ *\/\*.*\*\/$/d; s| */\*[^*]*\*/$||; s/^ *//' "$@" | sed '/^\/\*/,/\*\/$/d; /^$/d'; }
 
 # The scripts of the renderer, without those for Node.
 for file in answers browser errors options remote worker worker_thread zraster; do strip "$package/$file.mjs" >"$out/engine/$file.mjs"; done
@@ -24,6 +24,8 @@ join() { # SCRIPT IMPORTED
     rm "$out/engine/$2.mjs"
 }
 join zraster options
+join zraster errors
+sed -i "s|'./errors.mjs'|'./zraster.mjs'|; /^export { ZrasterError };\$/d" "$out"/engine/*.mjs
 join worker remote
 join worker_thread answers
 cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt" "$out/engine"

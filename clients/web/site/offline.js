@@ -1,6 +1,6 @@
 /* offline.js - a service worker: keeps the page, the renderer and the examples, so that they work without a network. Pages of the manual are kept
- * when they are read. VERSION and FILES come from build.sh. */
-const NAME = 'zraster ' + VERSION;
+ * when they are read. Other copies of the page on one origin have caches of their own. VERSION and FILES come from build.sh. */
+const OWN = `zraster ${registration.scope} `, NAME = OWN + VERSION;
 
 async function answer(request) {
   const cache = await caches.open(NAME), kept = await cache.match(request, { ignoreSearch: true });
@@ -16,7 +16,7 @@ addEventListener('install', event => {
 });
 
 addEventListener('activate', event => {
-  const old = names => names.filter(name => name.startsWith('zraster ') && name !== NAME);
+  const old = names => names.filter(name => name.startsWith(OWN) && name !== NAME);
   event.waitUntil(caches.keys().then(names => Promise.all(old(names).map(name => caches.delete(name)))).then(() => clients.claim()));
 });
 
