@@ -36,14 +36,14 @@ class Drawer {
     if (this.scene) await this.scene.free();
     this.scene = null;
     this.view = parsed(text).view;
-    this.scene = await this.z.read(withKeys(text, { view: undefined }), { parts: await bytesOf(parts), raw: true, signal });
+    this.scene = await this.z.read(withKeys(text, { view: undefined }), { parts: await bytesOf(parts), signal });
     this.text = text;
     this.blobs = blobs;
     return this.scene;
   }
 
   async picture(text, changes, query, parts, signal) {
-    const options = { query, raw: true, signal };
+    const options = { query, signal };
     if (Object.values(changes).includes(undefined))
       return this.z.draw(withKeys(text, changes), { ...options, parts: await bytesOf(parts) });
     const scene = await this.read(text, parts, signal);
@@ -107,4 +107,4 @@ async function tryHere(act, signal, isRough) {
 }
 
 // Does as readThere() does.
-const readHere = (text) => tryHere(() => engine.whole.next(() => engine.whole.z.read(text, { type: 'application/json', raw: true })));
+const readHere = (text) => tryHere(() => engine.whole.next(() => engine.whole.z.read(text, { type: 'application/json' })));

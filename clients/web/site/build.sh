@@ -15,8 +15,13 @@ sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" co
 # Removes indentation, empty lines, and comments that end a line.
 strip() { sed '/^ *\/\*.*\*\/$/d; s| */\*[^*]*\*/$||; s/^ *//' "$@" | sed '/^\/\*/,/\*\/$/d; /^$/d'; }
 
+# Removes methods that the page does not call.
+needed() {
+    awk '/^  (compare|references|get memory|get rules)\(/ { inside = /\{$/; next } inside { inside = !/^  }$/; next } { print }' "$@"
+}
+
 # The scripts of the renderer, without those for Node.
-for file in answers browser errors options remote worker worker_thread zraster; do strip "$package/$file.mjs" >"$out/engine/$file.mjs"; done
+for file in answers browser errors options remote worker worker_thread zraster; do needed "$package/$file.mjs" | strip >"$out/engine/$file.mjs"; done
 # Fewer files: each is a request.
 join() { # SCRIPT IMPORTED
     sed "/ from '.\/$2.mjs';$/d" "$out/engine/$1.mjs" | cat "$out/engine/$2.mjs" - | awk '!/^import / || !seen[$0]++' >"$work/joined"
