@@ -8,7 +8,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { SAY, visit } from './browser.mjs';
-import {  end, test } from './check.mjs';
+import { end, sameBytes, test } from './check.mjs';
 
 const [build, packages] = process.argv.slice(2).map(path => resolve(path)), sources = resolve('tests/web/packages');
 const work = mkdtempSync(join(tmpdir(), 'zraster-')), modules = join(work, 'node_modules'), part = join(work, 'part.stl');
