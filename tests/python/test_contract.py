@@ -125,7 +125,7 @@ class Contract(unittest.TestCase):
             known.remove(path)
             self.assertTrue([one for one in paths if one.startswith(path + "{")], path)
         self.assertLessEqual(set(known), paths)
-        self.assertEqual(paths - set(known), {"/docs/{address}", "/v1/assets/{sha256}", "/v1/scenes/{sha256}", "/v1/renders/{sha256}",
+        self.assertEqual(paths - set(known), {"/docs/{address}", "/engine/{name}", "/v1/assets/{sha256}", "/v1/scenes/{sha256}", "/v1/renders/{sha256}",
                                              "/v1/renders/{sha256}/{preset}", "/v1/schema/{object}.json", "/v1/examples/{name}"})
         for methods in self.openapi["paths"].values():
             for method, operation in methods.items():
