@@ -177,6 +177,7 @@ async function widthsBetween(page) {
 
 // The controls of the tab Model change the text.
 async function modelControls(page) {
+  await drawn(page);
   const scene = async () => JSON.parse(await page.inputValue('#text'));
   await redrawn(page, () => page.selectOption('#example', 'bearing'));
   await quiet(page);

@@ -100,9 +100,7 @@ const tests = {
   },
 
   async model(browser) {
-    const page = await open(browser, address);
-    await drawn(page);
-    await modelControls(page);
+    await modelControls(await open(browser, address));
   },
 
   async examples(browser) {
