@@ -148,6 +148,30 @@ static bool share_corner(const struct seeking *s, uint32_t a, uint32_t b)
     return false;
 }
 
+/* Depth of a triangle's plane over a cell. */
+struct plane {
+    double middle; /* depth over the middle of the cell */
+    double slope_x, slope_y;
+};
+
+static struct plane plane_over(const struct zr_window_point *const corners[3], double x, double y)
+{
+    const struct zr_window_point *at = corners[0];
+    const struct vector n = cross(minus(corners[1], at), minus(corners[2], at));
+    const double slope_x = -n.x / n.z, slope_y = -n.y / n.z;
+    return (struct plane){at->z + (slope_x * (x - at->x) + slope_y * (y - at->y)), slope_x, slope_y};
+}
+
+/* True if the line of two planes passes a cell by, also where it is moved by `on_plane` and by rounding. */
+static bool passes_by(const struct plane *a, const struct plane *b)
+{
+    const double half = 0.5 * ZR_CELL_PIXELS,
+                 steep = (fabs(a->slope_x) + fabs(a->slope_y)) + (fabs(b->slope_x) + fabs(b->slope_y));
+    const double reach = half * (fabs(a->slope_x - b->slope_x) + fabs(a->slope_y - b->slope_y));
+    const double slack = 4.0 * on_plane * (1.0 + steep) + 1e-9 * (fabs(a->middle) + fabs(b->middle));
+    return fabs(a->middle - b->middle) > reach + slack;
+}
+
 /* Finds the line of two hiders. False if there is none, or if another cell makes it. */
 static bool line_of(const struct seeking *s, uint32_t a, uint32_t b, uint32_t cell, struct zr_line *line)
 {
@@ -178,12 +202,15 @@ static uint32_t seek(const struct seeking *s, uint32_t cell, struct zr_line *out
 {
     const struct zr_cell_entry *entries = s->cells->entries + s->cells->firsts[cell];
     const uint32_t count = s->cells->firsts[cell + 1] - s->cells->firsts[cell];
+    const double x = zr_cell_border(cell % s->cells->columns) + 0.5 * ZR_CELL_PIXELS,
+                 y = zr_cell_border(cell / s->cells->columns) + 0.5 * ZR_CELL_PIXELS;
     uint32_t found = 0, unchecked = 0;
     if (!has_two_pieces(s, entries, count)) return 0;
     for (uint32_t i = 0; i < count; i++) {
         const struct zr_window_point *first[3], *second[3];
         corners_of(s, entries[i].hider, first);
         const struct box box = box_of(first);
+        const struct plane plane = plane_over(first, x, y);
         const uint32_t piece = s->pieces[zr_hider_source(s->mesh, entries[i].hider)];
         if ((unchecked += count) > PAIRS_PER_CANCEL_CHECK) {
             if (zr_is_cancelled(s->cancel)) return found;
@@ -195,7 +222,9 @@ static uint32_t seek(const struct seeking *s, uint32_t cell, struct zr_line *out
             if (s->pieces[zr_hider_source(s->mesh, entries[k].hider)] == piece) continue;
             corners_of(s, entries[k].hider, second);
             const struct box other = box_of(second);
-            if (is_apart(&box, &other) || share_corner(s, entries[i].hider, entries[k].hider) ||
+            if (is_apart(&box, &other)) continue;
+            const struct plane behind = plane_over(second, x, y);
+            if (passes_by(&plane, &behind) || share_corner(s, entries[i].hider, entries[k].hider) ||
                 !line_of(s, entries[i].hider, entries[k].hider, cell, &line))
                 continue;
             if (out) out[found] = line;

@@ -3,7 +3,8 @@
  * Space:  window_view.h: planes and lines of space are planes and lines there.
  * How:    in each cell, triangles of two pieces whose boxes overlap are compared: the first is cut by the plane of the
  *         second, and the segment is clipped to the second. Corners within 1e-3 pixel of a plane lie on it; a triangle
- *         that does not cross the plane gives no line. The cell that holds the middle of a line emits it.
+ *         that does not cross the plane gives no line. The cell that holds the middle of a line emits it, so pairs
+ *         whose planes meet outside a cell are left to other cells.
  *         Triangles of one piece (mesh/edge_mesh.h) and those that share a corner are not compared.
  * Exact:  lines are in the order of cells, the same for any number of threads. */
 #ifndef ZR_INTERSECTIONS_H

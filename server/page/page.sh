@@ -29,8 +29,9 @@ site) has_daemon=false left_out='/daemon\.js$' ;;
 esac
 
 # A policy has the hash of the text between the tags, line ends included. The rows' enums of C are left out, and
-# ZIP, which no scene can name.
+# ZIP, which no scene can name. The script of a site is as small as esbuild makes it: it is loaded from afar.
 { echo "'use strict'; const HAS_DAEMON = $has_daemon, HAS_ENGINE = $has_engine;" && ${CC:-cc} -E -P -x c -Icore $page/formats.h | sed '/^enum /,/^};/d; s/{ending : "zip"[^}]*}, *//' && sed '/^ *\/\//d; /^$/d; s/^ *//; s| // [a-z`].*||' $(sed "s|^|$page/|" $page/scripts.txt | grep -v "$left_out"); } >"$work/script"
+[ $kind != site ] || { esbuild --minify <"$work/script" >"$work/minified" && mv "$work/minified" "$work/script"; }
 { sed '/^$/d; s/^ *//; /^\/\*.*\*\/$/d; s/\([:,;{]\) /\1/g; s/ *\([{}]\)/\1/g' $page/colors.css $page/page.css | tr -d '\n' | sed 's/;}/}/g'; echo; } >"$work/style"
 # Lines between <!-- daemon --> and <!-- all --> are for pages of daemons, those between <!-- site --> and <!-- all --> for others.
 awk -v script="$work/script" -v style="$work/style" -v kind="$([ $has_daemon = true ] && echo daemon || echo site)" '

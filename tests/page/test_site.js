@@ -3,7 +3,6 @@
 'use strict';
 const fs = require('fs');
 const path = require('path');
-const zlib = require('zlib');
 const { build, work, check, folder, open, drawn, redrawn, quiet, eachExample, firstMinute, widthsBetween, modelControls, gallery, violations, run, shot, main } = require('./browser.js');
 
 const site = path.join(build, 'site');
@@ -329,18 +328,6 @@ const tests = {
     }
     check(`the page draws all ${scenes.length} scenes of the manual`, scenes.length > 10 && refused.length === 0, refused);
     check(`the manual has no dead link among ${seen.size}`, dead.length === 0 && seen.size > 80, dead);
-  },
-
-  async sizes() {
-    const packed = (names) => names.reduce((sum, name) => sum + zlib.gzipSync(fs.readFileSync(path.join(site, name)), { level: 9 }).length, 0);
-    const engine = fs.readdirSync(path.join(site, 'engine')).filter((name) => name.endsWith('.mjs')).map((name) => 'engine/' + name);
-    const module = packed(['engine/zraster.wasm']), beside = packed(['index.html', 'offline.js', ...engine]);
-    console.log(`# gzipped: module ${module} bytes, page beside it ${beside} bytes`);
-    const tiles = fs.readdirSync(path.join(site, 'looks')).reduce((sum, name) => sum + fs.statSync(path.join(site, 'looks', name)).size, 0);
-    console.log(`# pictures of looks: ${tiles} bytes`);
-    check('pictures of looks have at most 40 kB', tiles > 10000 && tiles <= 40000, tiles);
-    check('the module has at most 1 MB', module <= 1000000, module);
-    check('the page beside the module has at most 40 kB', beside <= 40000, beside);
   },
 };
 

@@ -1,8 +1,7 @@
-/* test_module.mjs FOLDER: the package in FOLDER: its size, its errors, a maximum of memory, faults of the module, its options. */
+/* test_module.mjs FOLDER: the package in FOLDER: its errors, a maximum of memory, faults of the module, its options. */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
-import { gzipSync } from 'node:zlib';
 import { end, sameBytes, test } from './check.mjs';
 
 const folder = pathToFileURL(`${process.argv[2]}/`);
@@ -13,9 +12,6 @@ const scene = JSON.parse(readFileSync('tests/scenes/flat-lit.json'));
 const refused = status => error => error.status === status;
 const z = await load();
 
-await test('both modules have at most 1 000 000 bytes when compressed', () => {
-  for (const bytes of [wasm, scalar]) assert.ok(gzipSync(bytes, { level: 9 }).length <= 1e6, `${gzipSync(bytes, { level: 9 }).length}`);
-});
 await test('the one without SIMD draws the same bytes', async () => {
   const other = await load(scalar);
   sameBytes(z.draw(OBJ).encode().bytes, other.draw(OBJ).encode().bytes);

@@ -26,7 +26,7 @@ wasm: ## zraster as WebAssembly: build/wasm/zraster.wasm, zraster-scalar.wasm, a
 	@clients/web/module/package.sh $(wasm) $(BUILD)/npm/zraster
 
 .PHONY: wasm-test
-wasm-test: ## the modules in Node: pixels of all scenes and of models as by the command, errors, memory, size
+wasm-test: ## the modules in Node: pixels of all scenes and of models as by the command, errors, memory
 	@.ci/need $(NEED_COMMAND) $(NEED_WASM_TEST)
 	@$(MAKE) -s npm
 	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
@@ -64,19 +64,25 @@ bench-three: ## the module: opening, redraws in Node beside the library, redraw 
 	@$(npm_install) $(LOADER_PACKAGES)
 	@PYTHON="$(PYTHON)" node tests/bench/rivals/three.mjs $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj) $(or $(ROUNDS),31)
 
+NEED_SITE := $(NEED_WASM_TEST) esbuild=esbuild
 .PHONY: site
 site: ## the page as a folder for any server of files: it draws by itself, also without a network: build/site
-	@.ci/need $(NEED_WASM_TEST)
+	@.ci/need $(NEED_SITE)
 	@$(MAKE) -s wasm
 	@CC="$(CC)" clients/web/site/build.sh $(BUILD)/npm/zraster $(BUILD)/site
 
 .PHONY: site-test
-site-test: ## build/site in chromium and firefox-esr: pictures as by the command, a dropped model, an orbit, no network, sizes; SKIP_BUILD=1
+site-test: ## build/site in chromium and firefox-esr: pictures as by the command, a dropped model, an orbit, no network; SKIP_BUILD=1
 	@.ci/need $(NEED_WASM_TEST) $(NEED_COMMAND) $(PYTHON)=python3 curl=curl chromium=chromium 'firefox-esr=firefox-esr?'
 	@[ -n "$(SKIP_BUILD)" ] || $(MAKE) -s site
 	@$(MAKE) -s -j$(JOBS) QUICK=1 $(BUILD)/zraster
 	@npm install --silent --no-audit --no-fund --prefix $(BUILD)/page-test $(PAGE_PACKAGES)
 	@PYTHON="$(PYTHON)" BROWSERS="$(BROWSERS)" DATA="$(DATA)" node tests/page/test_site.js $(BUILD) $(ONLY)
+
+.PHONY: sizes
+sizes: ## what a visitor of build/site loads, gzipped: modules, page, pictures of looks, each within its budget
+	@$(MAKE) -s site
+	@node tests/web/sizes.mjs $(BUILD)/site
 
 .PHONY: npm
 npm: ## the package zraster for npm: build/npm/zraster-*.tgz

@@ -12,27 +12,9 @@ export LC_ALL=C
 server/page/page.sh "$work" site
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
-# Removes indentation, empty lines, and comments that end a line.
-strip() { sed '/^ *\/\*.*\*\/$/d; s| */\*[^*]*\*/$||; s/^ *//' "$@" | sed '/^\/\*/,/\*\/$/d; /^$/d'; }
-
-# Removes methods that the page does not call.
-needed() {
-    awk '/^  (compare|references|get memory|get rules)\(/ { inside = /\{$/; next } inside { inside = !/^  }$/; next } { print }' "$@"
-}
-
 # The scripts of the renderer, without those for Node.
-for file in answers browser errors options remote worker worker_thread zraster; do needed "$package/$file.mjs" | strip >"$out/engine/$file.mjs"; done
-# Fewer files: each is a request.
-join() { # SCRIPT IMPORTED
-    sed "/ from '.\/$2.mjs';$/d" "$out/engine/$1.mjs" | cat "$out/engine/$2.mjs" - | awk '!/^import / || !seen[$0]++' >"$work/joined"
-    mv "$work/joined" "$out/engine/$1.mjs"
-    rm "$out/engine/$2.mjs"
-}
-join zraster options
-join zraster errors
-sed -i "s|'./errors.mjs'|'./zraster.mjs'|; /^export { ZrasterError };\$/d" "$out"/engine/*.mjs
-join worker remote
-join worker_thread answers
+esbuild --log-level=warning --bundle --splitting --format=esm --minify --out-extension:.js=.mjs --outdir="$out/engine" \
+    "$package/browser.mjs" "$package/worker.mjs" "$package/worker_thread.mjs"
 cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt" "$out/engine"
 
 # Lists and files by the addresses of the daemon.
@@ -70,6 +52,6 @@ version=$(cd "$out" && cat $files | sha256sum | cut -c 1-16)
 {
     echo "const VERSION = '$version';"
     echo "const FILES = ['./', $(echo "$files" | sed "s|^\./\(.*\)|'\1'|" | paste -s -d , | sed 's/,/, /g')];"
-    strip clients/web/site/offline.js
+    esbuild --minify clients/web/site/offline.js
 } >"$out/offline.js"
 rm -r "$work"
