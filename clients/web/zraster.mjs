@@ -18,7 +18,7 @@ function bytesOf(value) {
   if (value instanceof ArrayBuffer) return new Uint8Array(value);
   if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
   if (value?.then || value?.arrayBuffer) throw new ZrasterError('bad-request', 'the body is a promise, a Blob or a Response: await its bytes');
-  return utf8.encode(JSON.stringify(value));
+  return utf8.encode(JSON.stringify(value, (_, part) => (TYPES.has(part?.constructor) ? Array.from(part, Number) : part)));
 }
 
 const isDocument = value => value !== null && typeof value === 'object' && !(value instanceof ArrayBuffer) && !ArrayBuffer.isView(value);

@@ -23,6 +23,12 @@ await test('a module, a promise of bytes and a Response open it', async () => {
 await test('a scene draws as its text does', () => {
   sameBytes(z.draw(scene).encode().bytes, z.draw(JSON.stringify(scene)).encode().bytes);
 });
+await test('lists of numbers in a scene may be typed arrays', () => {
+  const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
+  const draw = vertices => z.draw({ polygons: [{ vertices }] }, { size: 40 }).encode().bytes;
+  sameBytes(draw(corners), draw(corners.map(corner => new Float32Array(corner))));
+  assert.throws(() => draw(new Float64Array(corners.flat())), { message: /^\/polygons\/0\/vertices\/0: expected a list of numbers, found a number\n/ });
+});
 await test('what is no option, body or scene is refused', async () => {
   const isRefused = error => error.status === 'bad-request', other = await load();
   for (const options of [{ size: [] }, { size: [1, 2, 3] }, { size: 20, width: 10 }, { raw: true, lok: 1 }, { query: 'look=clay&look=dark', size: 40 }, { query: 5, size: 40 }])
