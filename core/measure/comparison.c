@@ -12,6 +12,9 @@ enum { QUICK_RAYS = 128, QUICK_POINTS = 10000 };
 /* Areas of a turned model differ by at most this share. */
 #define TURNED 0.05
 
+/* Boxes that differ by more than this share of the diagonal are in other places, or of another size. */
+#define ELSEWHERE 1e-3
+
 static const char sides[2][2] = {"a", "b"};
 
 /* Factors between usual units, and what they are. */
@@ -60,16 +63,26 @@ static void warn_of_alignment(const struct zr_run *run, struct zr_comparison *c)
                             c->alignment.ambiguous_count);
 }
 
-/* Warns if b seems to be turned: it has as much area, but no hole of a. */
+static bool is_elsewhere(const struct zr_comparison *c)
+{
+    const double nothing = ELSEWHERE * c->a.diagonal;
+    for (int k = 0; k < 3; k++)
+        if (fabs(c->a.min[k] - c->b.min[k]) > nothing || fabs(c->a.max[k] - c->b.max[k]) > nothing) return true;
+    return false;
+}
+
+/* Warns if b seems to be turned or shifted: it has as much area, but no hole of a, or all of them elsewhere. */
 static void warn_of_turn(const struct zr_run *run, struct zr_comparison *c)
 {
     bool has[ZR_HOLE_CHANGE_KINDS] = {false};
     for (uint32_t i = 0; i < c->holes.count; i++)
         has[c->holes.at[i].kind] = true;
-    if (c->align != ZR_ALIGN_NONE || c->holes.equal > 0 || has[ZR_HOLE_MOVED] || has[ZR_HOLE_CHANGED]) return;
-    if (!has[ZR_HOLE_REMOVED] || !has[ZR_HOLE_ADDED] || fabs(c->a.area - c->b.area) > TURNED * c->a.area) return;
+    if (c->align != ZR_ALIGN_NONE || c->holes.equal > 0 || has[ZR_HOLE_CHANGED]) return;
+    if (has[ZR_HOLE_MOVED] ? !is_elsewhere(c) : !has[ZR_HOLE_REMOVED] || !has[ZR_HOLE_ADDED]) return;
+    if (fabs(c->a.area - c->b.area) > TURNED * c->a.area) return;
     zr_warning_list_add(run->arena, &c->warnings,
-                        "a and b have no hole in common, but nearly the same area: align=principal turns b if it fits");
+                        "no hole of a is at its place in b, but their areas are nearly the same: align=principal moves "
+                        "b if it fits");
 }
 
 static void warn(const struct zr_run *run, const struct zr_comparison_options *options, struct zr_comparison *c)

@@ -49,14 +49,20 @@ static double plain(double value, double diagonal)
     return fabs(value) < 1e-9 * diagonal ? 0.0 : value;
 }
 
+/* Returns the change of the volume in percent. Errors, and coordinates rounded to float, change nothing. */
+static double percent_of(const struct zr_own_volume *a, const struct zr_own_volume *b)
+{
+    const double change = b->volume - a->volume, nothing = a->error + b->error + 2e-7 * a->volume;
+    return fabs(change) <= nothing ? 0.0 : 100.0 * change / a->volume;
+}
+
 static void add_volumes(struct line *line, const struct zr_comparison *c)
 {
-    const double a = c->volumes.a.volume, b = c->volumes.b.volume;
     if (c->volumes.error > 1e-9)
         add(line, "IoU %.*f \u00b1 %.1g", decimals_of(c->volumes.error), c->volumes.iou, c->volumes.error);
     else
         add(line, "IoU %.9g", c->volumes.iou);
-    if (a > 0.0) add(line, "; volume %+.3g %%", fabs(b - a) < 1e-12 * a ? 0.0 : 100.0 * (b - a) / a);
+    if (c->volumes.a.volume > 0.0) add(line, "; volume %+.3g %%", percent_of(&c->volumes.a, &c->volumes.b));
 }
 
 static void add_distances(struct line *line, const struct zr_comparison *c)
