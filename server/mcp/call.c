@@ -9,6 +9,7 @@
 #include "faults.h"
 #include "memory.h"
 #include "picked.h"
+#include "place.h"
 #include "shots.h"
 #include "tree.h"
 
@@ -215,12 +216,11 @@ static void describe_fragments(struct mcp_text *words, const cJSON *content)
     const cJSON *fragments = mcp_get(content, "fragments"), *fragment;
     cJSON_ArrayForEach(fragment, fragments)
     {
-        const cJSON *point = mcp_get(fragment, "point");
-        mcp_text_put(words, "\n- part '");
-        mcp_text_line(words, mcp_get(fragment, "part")->valuestring, 80);
-        mcp_text_print(words, "', face %.0f, point (%.6g, %.6g, %.6g), depth %.6g, %s%s",
-                       mcp_number_of(fragment, "face"), mcp_number_at(point, 0), mcp_number_at(point, 1),
-                       mcp_number_at(point, 2), mcp_number_of(fragment, "depth"),
+        mcp_text_put(words, "\n- part ");
+        mcp_name_put(words, mcp_get(fragment, "part"));
+        mcp_text_print(words, ", face %.0f", mcp_number_of(fragment, "face"));
+        mcp_place_put(words, ", point ", mcp_get(fragment, "point"), 6, 0);
+        mcp_text_print(words, ", depth %.6g, %s%s", mcp_number_of(fragment, "depth"),
                        cJSON_IsTrue(mcp_get(fragment, "front")) ? "front side" : "back side",
                        cJSON_IsTrue(mcp_get(fragment, "shown")) ? ", visible" : ", hidden");
     }
@@ -255,10 +255,9 @@ static void add_no_way(const struct mcp_job *job, const struct target *target, c
 
 static void describe_picked(struct mcp_text *words, const cJSON *content)
 {
-    const cJSON *feature = mcp_get(content, "feature"), *between = mcp_get(content, "between"),
-                *omitted = mcp_get(content, "betweenOmitted"), *kind = mcp_get(feature, "kind");
-    if (cJSON_IsString(kind) && mcp_get(feature, "diameter"))
-        mcp_text_print(words, "\nfeature: %s, diameter %.6g", kind->valuestring, mcp_number_of(feature, "diameter"));
+    const cJSON *between = mcp_get(content, "between"), *omitted = mcp_get(content, "betweenOmitted");
+    if (cJSON_IsArray(mcp_get(content, "normal"))) mcp_text_put(words, "\nvisible surface");
+    mcp_picked_describe_surface(words, content);
     if (omitted) mcp_text_print(words, "\nto the other pixel: no distance, since %s", omitted->valuestring);
     if (!between) return;
     mcp_text_put(words, "\nto the other pixel: ");

@@ -7,9 +7,13 @@
 
 #include "features.h"
 #include "picked.h"
+#include "place.h"
 #include "tree.h"
 
 enum { PARTS_MAX = 50, PARTS_DESCRIBED = 12, SHELL_KINDS = 3, NAME_MAX_BYTES = 80, WARNING_MAX_BYTES = 1000 };
+
+/* A coordinate of a centre of mass up to this share of the cube's side is 0. */
+#define CENTER_ZERO 1e-5
 
 static const char *const SHELLS[SHELL_KINDS] = {"outward", "inward", "open"};
 
@@ -84,18 +88,37 @@ static void add_unsearched(cJSON *content, const cJSON *parts)
 /* Replaces the sums over the operands by the values of the solid. */
 static void add_combined(cJSON *content, const cJSON *info)
 {
-    static const char *const unknown[] = {"area", "shells"};
+    static const char *const own[] = {"volume", "volumeError", "centerOfMass"}, *const unknown[] = {"area", "shells"};
     const cJSON *csg = mcp_get(info, "csg");
     if (!csg) return;
     copy(content, info, "csg");
-    cJSON_DeleteItemFromObjectCaseSensitive(content, "volume");
-    cJSON_DeleteItemFromObjectCaseSensitive(content, "volumeError");
-    copy(content, csg, "volume");
-    copy(content, csg, "volumeError");
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++) {
+        cJSON_DeleteItemFromObjectCaseSensitive(content, own[i]);
+        copy(content, csg, own[i]);
+    }
     for (size_t i = 0; i < sizeof unknown / sizeof *unknown; i++) {
         cJSON_DeleteItemFromObjectCaseSensitive(content, unknown[i]);
         cJSON_AddNullToObject(content, unknown[i]);
     }
+}
+
+/* Adds the centre of mass of the parts that are shown, which are closed. */
+static void add_center(cJSON *content, const cJSON *parts, double volume)
+{
+    const cJSON *part;
+    double moment[3] = {0};
+    cJSON_ArrayForEach(part, parts)
+    {
+        const cJSON *center = mcp_get(part, "centerOfMass");
+        if (cJSON_IsTrue(mcp_get(part, "hidden"))) continue;
+        if (!cJSON_IsArray(center)) return;
+        for (int i = 0; i < 3; i++)
+            moment[i] += mcp_number_of(part, "volume") * mcp_number_at(center, i);
+    }
+    if (volume == 0) return;
+    cJSON *list = cJSON_AddArrayToObject(content, "centerOfMass");
+    for (int i = 0; i < 3; i++)
+        mcp_append(list, cJSON_CreateNumber(moment[i] / volume));
 }
 
 void mcp_facts_add(cJSON *content, const cJSON *info)
@@ -129,6 +152,7 @@ void mcp_facts_add(cJSON *content, const cJSON *info)
     copy(content, info, "origin");
     mcp_add(content, "volume", is_closed && omitted == 0 ? cJSON_CreateNumber(volume) : cJSON_CreateNull());
     if (is_closed && omitted == 0 && error > 0) cJSON_AddNumberToObject(content, "volumeError", error);
+    if (is_closed && omitted == 0) add_center(content, parts, volume);
     mcp_add(content, "area", omitted == 0 ? cJSON_CreateNumber(area) : cJSON_CreateNull());
     mcp_add(content, "closed", is_closed && omitted > 0 ? cJSON_CreateNull() : cJSON_CreateBool(is_closed));
     cJSON *sum = omitted == 0 ? cJSON_AddObjectToObject(content, "shells") : cJSON_AddNullToObject(content, "shells");
@@ -273,24 +297,29 @@ static void describe_shells(struct mcp_text *text, const cJSON *shells)
     }
 }
 
-static void describe_volume(struct mcp_text *text, const char *between, const cJSON *solid, const char *unit)
+/* Writes volume and centre of mass. */
+static void describe_volume(struct mcp_text *text, const char *before, const cJSON *solid, const char *unit)
 {
-    const double error = mcp_number_of(solid, "volumeError");
-    mcp_text_print(text, "%sclosed, volume %.6g", between, mcp_number_of(solid, "volume"));
+    const double error = mcp_number_of(solid, "volumeError"), volume = mcp_number_of(solid, "volume");
+    const cJSON *center = mcp_get(solid, "centerOfMass");
+    mcp_text_print(text, "%svolume %.6g", before, volume);
     if (error > 0) mcp_text_print(text, " +- %.2g", error);
     mcp_text_print(text, " %s^3", unit);
+    if (cJSON_IsArray(center)) mcp_place_put(text, ", centre of mass ", center, 6, CENTER_ZERO * cbrt(fabs(volume)));
 }
 
 /* Writes what keeps a part from being closed. */
 static void describe_open(struct mcp_text *text, const cJSON *part)
 {
     static const char *const kinds[][2] = {{"openEdges", "open"}, {"flippedEdges", "flipped"}};
+    const char *between = ":";
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        const cJSON *edges = mcp_get(part, kinds[i][0]), *at = mcp_get(edges, "at");
+        const cJSON *edges = mcp_get(part, kinds[i][0]);
         const double count = mcp_number_of(edges, "count");
-        if (count > 0)
-            mcp_text_print(text, "%s %.0f %s edge%s, one at (%.6g, %.6g, %.6g)", i > 0 ? "," : ":", count, kinds[i][1],
-                           count == 1 ? "" : "s", mcp_number_at(at, 0), mcp_number_at(at, 1), mcp_number_at(at, 2));
+        if (count == 0) continue;
+        mcp_text_print(text, "%s %.0f %s edge%s", between, count, kinds[i][1], count == 1 ? "" : "s");
+        mcp_place_put(text, ", one at ", mcp_get(edges, "at"), 6, 0);
+        between = ",";
     }
 }
 
@@ -302,18 +331,24 @@ static bool have_colors(const cJSON *parts)
     return false;
 }
 
+static void describe_triangles(struct mcp_text *text, const cJSON *part)
+{
+    const double triangles = mcp_number_of(part, "triangles");
+    mcp_text_print(text, ", %.0f triangle%s", triangles, triangles == 1 ? "" : "s");
+}
+
 static void describe_part(struct mcp_text *text, const cJSON *part, const char *unit, bool has_color)
 {
-    const cJSON *name = mcp_get(part, "name"), *volume = mcp_get(part, "volume");
-    const double triangles = mcp_number_of(part, "triangles");
-    mcp_text_print(text, "\n- part %.0f '", mcp_number_of(part, "id"));
-    mcp_text_line(text, cJSON_IsString(name) ? name->valuestring : "", NAME_MAX_BYTES);
-    mcp_text_put(text, "': ");
+    const cJSON *volume = mcp_get(part, "volume");
+    mcp_text_print(text, "\n- part %.0f ", mcp_number_of(part, "id"));
+    mcp_name_put(text, mcp_get(part, "name"));
+    mcp_text_put(text, ": ");
     if (cJSON_IsTrue(mcp_get(part, "hidden"))) mcp_text_put(text, "hidden, ");
     describe_box(text, mcp_get(part, "box"), unit);
-    mcp_text_print(text, ", %.0f triangle%s", triangles, triangles == 1 ? "" : "s");
+    describe_triangles(text, part);
+    mcp_text_print(text, ", area %.6g %s^2", mcp_number_of(part, "area"), unit);
     if (cJSON_IsNumber(volume))
-        describe_volume(text, ", ", part, unit);
+        describe_volume(text, ", closed, ", part, unit);
     else {
         mcp_text_put(text, ", not closed");
         describe_open(text, part);
@@ -339,29 +374,30 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
     int described = 0;
     describe_box(text, mcp_get(content, "box"), unit);
     if (cJSON_IsNumber(area)) mcp_text_print(text, "; area %.6g %s^2", area->valuedouble, unit);
-    if (mcp_get(content, "csg"))
-        mcp_text_print(text,
-                       "; solid combined by csg: volume %.6g +- %.2g %s^3; the parts listed are its operands, before "
-                       "they are combined",
-                       mcp_number_of(content, "volume"), mcp_number_of(content, "volumeError"), unit);
-    else if (cJSON_IsNumber(volume))
-        describe_volume(text, "; ", content, unit);
+    const bool is_combined = mcp_get(content, "csg");
+    if (cJSON_IsNumber(volume))
+        describe_volume(text, is_combined ? "; solid combined by csg: " : "; closed, ", content, unit);
     else if (cJSON_IsNull(mcp_get(content, "closed")))
         mcp_text_put(text, "; area, volume and closedness are not known: more than 1000 parts");
     else
         mcp_text_put(text, "; not closed, so there is no volume");
     if (cJSON_GetArraySize(parts) == 1 && cJSON_IsFalse(mcp_get(content, "closed")))
         describe_open(text, cJSON_GetArrayItem(parts, 0));
+    if (is_combined)
+        mcp_text_put(text, "; the box may be larger; the parts listed are its operands, before they are combined");
     describe_shells(text, mcp_get(content, "shells"));
     const int count = cJSON_GetArraySize(parts) + (int)mcp_number_of(content, "partsOmitted");
     mcp_text_print(text, "; %d part%s", count, count == 1 ? "" : "s");
     const double hidden = mcp_number_of(content, "partsHidden");
-    if (hidden > 0) mcp_text_print(text, ", %.0f of them hidden: box and sums are of the others", hidden);
+    if (count == 1) describe_triangles(text, cJSON_GetArrayItem(parts, 0));
+    if (hidden > 0)
+        mcp_text_print(text, ", %.0f of them hidden: box and sums are of the others", hidden);
+    else if (count > 1 && cJSON_IsNumber(volume) && !is_combined)
+        mcp_text_put(text, ", whose areas and volumes are summed");
     if (mcp_get(content, "explode")) mcp_text_put(text, "; exploded: boxes and places are of the moved parts");
     const cJSON *origin = mcp_get(content, "origin");
-    if (origin)
-        mcp_text_print(text, "; places are relative to the origin (%.10g, %.10g, %.10g) of the file",
-                       mcp_number_at(origin, 0), mcp_number_at(origin, 1), mcp_number_at(origin, 2));
+    mcp_place_put(text, "; places are relative to the origin ", origin, 10, 0);
+    if (origin) mcp_text_put(text, " of the file");
     if (strcmp(unit, "units") == 0) mcp_text_put(text, "; the format names no unit");
     const bool has_colors = have_colors(parts);
     if (count == 1) mcp_features_describe(text, cJSON_GetArrayItem(parts, 0));
@@ -404,13 +440,11 @@ static void describe_view(struct mcp_text *text, const cJSON *content, const cJS
                 *eye = mcp_get(view, "eye"), *covered = mcp_get(view, "coveredShare");
     mcp_text_line(text, mcp_get(view, "name")->valuestring, NAME_MAX_BYTES);
     describe_side(text, view);
-    mcp_text_print(text, ", looks along (%.4g, %.4g, %.4g)", mcp_number_at(along, 0), mcp_number_at(along, 1),
-                   mcp_number_at(along, 2));
+    mcp_place_put(text, ", looks along ", along, 4, 0);
     if (cJSON_IsNumber(scale))
         mcp_text_print(text, ", %.5g %s per pixel", scale->valuedouble, mcp_facts_unit(content));
     else if (eye)
-        mcp_text_print(text, ", perspective from (%.5g, %.5g, %.5g)", mcp_number_at(eye, 0), mcp_number_at(eye, 1),
-                       mcp_number_at(eye, 2));
+        mcp_place_put(text, ", perspective from ", eye, 5, 0);
     else
         mcp_text_put(text, ", perspective");
     if (cJSON_IsTrue(mcp_get(view, "blank"))) mcp_text_put(text, ", BLANK: nothing is visible");

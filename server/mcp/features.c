@@ -2,17 +2,40 @@
 
 #include <math.h>
 
+#include "place.h"
 #include "tree.h"
 
-enum { GROUPS_DESCRIBED = 12, PLACES_DESCRIBED = 12, MIRRORS_DESCRIBED = 4, TURNS_DESCRIBED = 4 };
+enum { GROUPS_DESCRIBED = 12, PLANES_DESCRIBED = 6, PLACES_DESCRIBED = 12, MIRRORS_DESCRIBED = 4, TURNS_DESCRIBED = 4 };
+
+/* A round hole of a mesh is a polygon. A width across its flats below this share of the diameter has its words. */
+#define FLATS_SHARE 0.99
+
+/* Writes how the holes of a group are arranged. */
+static void describe_pattern(struct mcp_text *text, const cJSON *pattern)
+{
+    const cJSON *counts = mcp_get(pattern, "counts"), *pitch = mcp_get(pattern, "pitch");
+    if (!pattern) return;
+    if (counts)
+        mcp_text_print(text, ", in a grid of %.0f x %.0f, pitch %.5g x %.5g", mcp_number_at(counts, 0),
+                       mcp_number_at(counts, 1), mcp_number_at(pitch, 0), mcp_number_at(pitch, 1));
+    else
+        mcp_text_print(text, ", in a circle of diameter %.5g", mcp_number_of(pattern, "diameter"));
+    mcp_place_put(text, " around ", mcp_get(pattern, "center"), 6, 0);
+}
 
 /* Writes a group of holes or bosses: "4 x diameter 3.2, through, 6 deep, along (0, 0, -1), at (1, 2, 6), ...". */
 static void describe_group(struct mcp_text *text, const cJSON *group)
 {
-    const cJSON *through = mcp_get(group, "through"), *axis = mcp_get(group, "axis"), *place, *step;
+    const double diameter = mcp_number_of(group, "diameter"), flats = mcp_number_of(group, "acrossFlats");
+    const cJSON *through = mcp_get(group, "through"), *place, *step;
     int places = 0;
-    mcp_text_print(text, "%.0f x diameter %.5g", mcp_number_of(group, "count"), mcp_number_of(group, "diameter"));
-    if (through && !cJSON_IsNull(through)) mcp_text_put(text, cJSON_IsTrue(through) ? ", through" : ", blind");
+    mcp_text_print(text, "%.0f x diameter %.5g", mcp_number_of(group, "count"), diameter);
+    if (flats < FLATS_SHARE * diameter)
+        mcp_text_print(text, " (%.5g across its %.0f flats)", flats, mcp_number_of(group, "segments"));
+    if (through)
+        mcp_text_put(text, cJSON_IsNull(through)   ? ", not known if through"
+                           : cJSON_IsTrue(through) ? ", through"
+                                                   : ", blind");
     if (mcp_get(group, "depth"))
         mcp_text_print(text, ", %.5g deep", mcp_number_of(group, "depth"));
     else
@@ -24,34 +47,14 @@ static void describe_group(struct mcp_text *text, const cJSON *group)
                        mcp_number_of(step, "diameter"), mcp_number_of(step, "depth"));
         if (angle > 0) mcp_text_print(text, ", %.4g degrees", angle);
     }
-    mcp_text_print(text, ", along (%.4g, %.4g, %.4g)", mcp_number_at(axis, 0), mcp_number_at(axis, 1),
-                   mcp_number_at(axis, 2));
+    mcp_place_put(text, ", along ", mcp_get(group, "axis"), 4, 0);
+    describe_pattern(text, mcp_get(group, "pattern"));
     cJSON_ArrayForEach(place, mcp_get(group, "at"))
     {
-        if (places < PLACES_DESCRIBED)
-            mcp_text_print(text, "%s(%.6g, %.6g, %.6g)", places == 0 ? ", at " : ", ", mcp_number_at(place, 0),
-                           mcp_number_at(place, 1), mcp_number_at(place, 2));
+        if (places < PLACES_DESCRIBED) mcp_place_put(text, places == 0 ? ", at " : ", ", place, 6, 0);
         places++;
     }
     if (places > PLACES_DESCRIBED) mcp_text_print(text, " and %d more places", places - PLACES_DESCRIBED);
-}
-
-/* Writes the holes and bosses of a part. */
-static void describe_round(struct mcp_text *text, const cJSON *features)
-{
-    static const char *const lists[] = {"holes", "bosses"};
-    const cJSON *group;
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
-        int groups = 0;
-        cJSON_ArrayForEach(group, mcp_get(features, lists[i]))
-        {
-            if (groups++ >= GROUPS_DESCRIBED) continue;
-            mcp_text_print(text, "%s%s%s", groups == 1 ? "\n  " : "; ", groups == 1 ? lists[i] : "",
-                           groups == 1 ? ": " : "");
-            describe_group(text, group);
-        }
-        if (groups > GROUPS_DESCRIBED) mcp_text_print(text, "; %d more groups", groups - GROUPS_DESCRIBED);
-    }
 }
 
 /* Writes a plane: "x = 0.5", or its normal and offset. */
@@ -60,11 +63,55 @@ static void describe_plane(struct mcp_text *text, const cJSON *plane)
     const cJSON *normal = mcp_get(plane, "normal");
     for (int axis = 0; axis < 3; axis++) {
         if (fabs(mcp_number_at(normal, axis)) != 1) continue;
-        mcp_text_print(text, "%c = %.6g", "xyz"[axis], mcp_number_at(normal, axis) * mcp_number_of(plane, "offset"));
+        mcp_text_print(text, "%c = %.6g", "xyz"[axis],
+                       mcp_number_at(normal, axis) * mcp_number_of(plane, "offset") + 0.0);
         return;
     }
     mcp_text_print(text, "normal (%.4g, %.4g, %.4g) offset %.6g", mcp_number_at(normal, 0), mcp_number_at(normal, 1),
                    mcp_number_at(normal, 2), mcp_number_of(plane, "offset"));
+}
+
+static void describe_radius(struct mcp_text *text, const cJSON *group)
+{
+    mcp_text_print(text, "%.0f x radius %.5g", mcp_number_of(group, "count"), mcp_number_of(group, "radius"));
+}
+
+static void describe_face(struct mcp_text *text, const cJSON *plane)
+{
+    mcp_text_print(text, "%.5g at ", mcp_number_of(plane, "area"));
+    describe_plane(text, plane);
+}
+
+/* A list of features has a line of up to `most` items, or the words for none. */
+static const struct list {
+    const char *key, *title;
+    void (*describe)(struct mcp_text *text, const cJSON *item);
+    int most;
+    const char *none;
+} lists[] = {{"holes", "holes", describe_group, GROUPS_DESCRIBED, "no round one was found"},
+             {"bosses", "bosses", describe_group, GROUPS_DESCRIBED, NULL},
+             {"fillets", "fillets", describe_radius, GROUPS_DESCRIBED, NULL},
+             {"rounds", "rounds", describe_radius, GROUPS_DESCRIBED, NULL},
+             {"planes", "flat faces by area", describe_face, PLANES_DESCRIBED, NULL}};
+
+static void describe_list(struct mcp_text *text, const struct list *list, const cJSON *items)
+{
+    const cJSON *item;
+    const int count = cJSON_GetArraySize(items);
+    double more = 0;
+    int listed = 0;
+    if (!items || (count == 0 && !list->none)) return;
+    mcp_text_print(text, "\n  %s: %s", list->title, count == 0 ? list->none : "");
+    cJSON_ArrayForEach(item, items)
+    {
+        if (listed++ >= list->most) {
+            more += mcp_get(item, "count") ? mcp_number_of(item, "count") : 1;
+            continue;
+        }
+        if (listed > 1) mcp_text_put(text, "; ");
+        list->describe(text, item);
+    }
+    if (more > 0) mcp_text_print(text, "; and %.0f more", more);
 }
 
 static void describe_symmetry(struct mcp_text *text, const cJSON *symmetry)
@@ -86,51 +133,58 @@ static void describe_symmetry(struct mcp_text *text, const cJSON *symmetry)
     if (mirror_count == 0) mcp_text_put(text, "no mirror");
     cJSON_ArrayForEach(item, turns)
     {
-        const cJSON *axis = mcp_get(item, "axis"), *order = mcp_get(item, "order");
+        const cJSON *order = mcp_get(item, "order");
         if (turn_count++ >= TURNS_DESCRIBED) continue;
         mcp_text_put(text, turn_count == 1 ? "; turn " : ", ");
         if (cJSON_IsNumber(order))
             mcp_text_print(text, "%.0f-fold", order->valuedouble);
         else
             mcp_text_put(text, "round");
-        mcp_text_print(text, " about (%.4g, %.4g, %.4g)", mcp_number_at(axis, 0), mcp_number_at(axis, 1),
-                       mcp_number_at(axis, 2));
+        mcp_place_put(text, " about ", mcp_get(item, "axis"), 4, 0);
     }
-    const cJSON *at = mcp_get(cJSON_GetArrayItem(turns, 0), "at");
     if (turn_count > TURNS_DESCRIBED) mcp_text_print(text, " and %d more", turn_count - TURNS_DESCRIBED);
     if (turn_count == 0)
         mcp_text_put(text, "; no turn");
     else
-        mcp_text_print(text, " at (%.6g, %.6g, %.6g)", mcp_number_at(at, 0), mcp_number_at(at, 1),
-                       mcp_number_at(at, 2));
+        mcp_place_put(text, " at ", mcp_get(cJSON_GetArrayItem(turns, 0), "at"), 6, 0);
+}
+
+/* Writes the smallest cylinder that holds the part, such as the diameter of a gear over its teeth. */
+static void describe_cylinder(struct mcp_text *text, const cJSON *cylinder)
+{
+    if (!cylinder) return;
+    mcp_text_print(text, "\n  bounding cylinder: diameter %.6g, %.6g high", mcp_number_of(cylinder, "diameter"),
+                   mcp_number_of(cylinder, "height"));
+    mcp_place_put(text, ", along ", mcp_get(cylinder, "axis"), 4, 0);
 }
 
 static void describe_least_wall(struct mcp_text *text, const cJSON *part)
 {
-    const cJSON *wall = mcp_get(part, "leastWall"), *at = mcp_get(part, "leastWallAt");
-    if (cJSON_IsNumber(wall))
-        mcp_text_print(text, "\n  least wall between parallel faces: %.5g at (%.6g, %.6g, %.6g)", wall->valuedouble, mcp_number_at(at, 0),
-                       mcp_number_at(at, 1), mcp_number_at(at, 2));
-    else if (cJSON_IsTrue(mcp_get(part, "leastWallOmitted")))
+    const cJSON *wall = mcp_get(part, "leastWall");
+    if (cJSON_IsNumber(wall)) {
+        mcp_text_print(text, "\n  least wall between parallel faces: %.5g", wall->valuedouble);
+        mcp_place_put(text, " at ", mcp_get(part, "leastWallAt"), 6, 0);
+    } else if (cJSON_IsTrue(mcp_get(part, "leastWallOmitted")))
         mcp_text_put(text, "\n  least wall between parallel faces: not searched, too much work or memory");
 }
 
 /* Writes the number of open loops, and the first, which is the longest. */
 static void describe_open_loops(struct mcp_text *text, const cJSON *features)
 {
-    const cJSON *loops = mcp_get(features, "openLoops"), *first = cJSON_GetArrayItem(loops, 0),
-                *center = mcp_get(first, "center");
+    const cJSON *loops = mcp_get(features, "openLoops"), *first = cJSON_GetArrayItem(loops, 0);
     const double count = cJSON_GetArraySize(loops) + mcp_number_of(features, "openLoopsOmitted");
     if (!first) return;
-    mcp_text_print(text, "\n  open loops: %.0f, %s %.0f edges, length %.5g, around (%.6g, %.6g, %.6g)", count,
-                   count > 1 ? "the longest of" : "of", mcp_number_of(first, "edges"), mcp_number_of(first, "length"),
-                   mcp_number_at(center, 0), mcp_number_at(center, 1), mcp_number_at(center, 2));
+    mcp_text_print(text, "\n  open loops: %.0f, %s %.0f edges, length %.5g", count, count > 1 ? "the longest of" : "of",
+                   mcp_number_of(first, "edges"), mcp_number_of(first, "length"));
+    mcp_place_put(text, ", around ", mcp_get(first, "center"), 6, 0);
 }
 
 void mcp_features_describe(struct mcp_text *text, const cJSON *part)
 {
     const cJSON *features = mcp_get(part, "features");
-    describe_round(text, features);
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        describe_list(text, &lists[i], mcp_get(features, lists[i].key));
+    describe_cylinder(text, mcp_get(features, "boundingCylinder"));
     if (features) describe_symmetry(text, mcp_get(features, "symmetry"));
     describe_least_wall(text, part);
     describe_open_loops(text, features);

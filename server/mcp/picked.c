@@ -1,42 +1,39 @@
 #include "picked.h"
 
+#include "place.h"
 #include "tree.h"
 
-enum { NAME_MAX_BYTES = 80 };
-
-static void put_name(struct mcp_text *text, const cJSON *name)
-{
-    mcp_text_put(text, "'");
-    mcp_text_line(text, cJSON_IsString(name) ? name->valuestring : "", NAME_MAX_BYTES);
-    mcp_text_put(text, "'");
-}
-
-static void put_place(struct mcp_text *text, const char *before, const cJSON *place)
-{
-    mcp_text_print(text, "%s(%.6g, %.6g, %.6g)", before, mcp_number_at(place, 0), mcp_number_at(place, 1),
-                   mcp_number_at(place, 2));
-}
+#define NORMAL_ZERO 1e-6 /* up to this, a coordinate of a unit normal is 0 */
 
 static void describe_distance(struct mcp_text *text, const cJSON *distance)
 {
     const cJSON *parts = mcp_get(distance, "parts"), *length = mcp_get(distance, "distance");
     mcp_text_put(text, "\n- distance of ");
-    put_name(text, cJSON_GetArrayItem(parts, 0));
+    mcp_name_put(text, cJSON_GetArrayItem(parts, 0));
     mcp_text_put(text, " and ");
-    put_name(text, cJSON_GetArrayItem(parts, 1));
+    mcp_name_put(text, cJSON_GetArrayItem(parts, 1));
     if (!cJSON_IsNumber(length)) {
         mcp_text_put(text, ": not known");
         return;
     }
     mcp_text_print(text, ": %.6g", length->valuedouble);
     if (cJSON_IsTrue(mcp_get(distance, "crosses"))) mcp_text_put(text, ", they cross");
-    put_place(text, ", from ", mcp_get(distance, "from"));
-    put_place(text, " to ", mcp_get(distance, "to"));
+    mcp_place_put(text, ", from ", mcp_get(distance, "from"), 6, 0);
+    mcp_place_put(text, " to ", mcp_get(distance, "to"), 6, 0);
+}
+
+void mcp_picked_describe_surface(struct mcp_text *text, const cJSON *pick)
+{
+    const cJSON *feature = mcp_get(pick, "feature"), *kind = mcp_get(feature, "kind"),
+                *normal = mcp_get(pick, "normal");
+    if (cJSON_IsString(kind)) mcp_text_print(text, ", %s", kind->valuestring);
+    if (mcp_get(feature, "diameter")) mcp_text_print(text, " of diameter %.5g", mcp_number_of(feature, "diameter"));
+    if (cJSON_IsArray(normal)) mcp_place_put(text, ", normal ", normal, 6, NORMAL_ZERO);
 }
 
 static void describe_pick(struct mcp_text *text, const cJSON *pick, int number)
 {
-    const cJSON *pixel = mcp_get(pick, "pixel"), *feature = mcp_get(pick, "feature"), *kind = mcp_get(feature, "kind");
+    const cJSON *pixel = mcp_get(pick, "pixel");
     const int behind = cJSON_GetArraySize(mcp_get(pick, "behind"));
     mcp_text_print(text, "\n- pick %d at pixel (%.0f, %.0f): ", number, mcp_number_at(pixel, 0),
                    mcp_number_at(pixel, 1));
@@ -45,19 +42,19 @@ static void describe_pick(struct mcp_text *text, const cJSON *pick, int number)
         return;
     }
     mcp_text_put(text, "part ");
-    put_name(text, mcp_get(pick, "part"));
+    mcp_name_put(text, mcp_get(pick, "part"));
     mcp_text_print(text, ", face %.0f", mcp_number_of(pick, "faceId"));
-    if (cJSON_IsString(kind)) mcp_text_print(text, ", %s", kind->valuestring);
-    if (mcp_get(feature, "diameter")) mcp_text_print(text, " of diameter %.5g", mcp_number_of(feature, "diameter"));
-    put_place(text, ", point ", mcp_get(pick, "point"));
-    if (cJSON_IsArray(mcp_get(pick, "normal"))) put_place(text, ", normal ", mcp_get(pick, "normal"));
+    mcp_place_put(text, ", point ", mcp_get(pick, "point"), 6, 0);
+    mcp_picked_describe_surface(text, pick);
     if (behind > 0) mcp_text_print(text, ", %d surface%s behind", behind, behind == 1 ? "" : "s");
 }
 
 void mcp_picked_describe_between(struct mcp_text *text, const cJSON *between)
 {
     mcp_text_print(text, "distance %.6g", mcp_number_of(between, "distance"));
-    put_place(text, ", offset ", mcp_get(between, "offset"));
+    mcp_place_put(text, ", offset ", mcp_get(between, "offset"), 6, 0);
+    if (mcp_get(between, "alongNormal"))
+        mcp_text_print(text, ", along the first normal %.6g", mcp_number_of(between, "alongNormal"));
     if (mcp_get(between, "angleDegrees"))
         mcp_text_print(text, ", angle of the normals %.6g degrees", mcp_number_of(between, "angleDegrees"));
 }

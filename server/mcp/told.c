@@ -4,9 +4,37 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "place.h"
 #include "tree.h"
 
 enum { LISTED_MAX = 8 };
+
+/* Coordinates up to this share of a length are rounding errors: of a region, and of the model. */
+#define REGION_ZERO 1e-4
+#define PLACE_ZERO  1e-6
+
+/* Returns a side of a box, x, y or z. */
+static double side_of(const cJSON *box, int axis)
+{
+    return mcp_number_at(mcp_get(box, "max"), axis) - mcp_number_at(mcp_get(box, "min"), axis);
+}
+
+static double longest_side_of(const cJSON *box)
+{
+    return fmax(side_of(box, 0), fmax(side_of(box, 1), side_of(box, 2)));
+}
+
+/* Writes size, area and volume of a model, so that it is clear which of two is larger. */
+static void describe_side(const cJSON *content, const char *name, struct mcp_text *words)
+{
+    const cJSON *side = mcp_get(content, name), *box = mcp_get(side, "box");
+    if (!side) return;
+    mcp_text_print(words, "\n- %s: box %.6g x %.6g x %.6g, area %.6g", name, side_of(box, 0), side_of(box, 1),
+                   side_of(box, 2), mcp_number_of(side, "area"));
+    if (mcp_get(side, "volume")) mcp_text_print(words, ", volume %.6g", mcp_number_of(side, "volume"));
+    if (mcp_get(side, "volumeError")) mcp_text_print(words, " +- %.2g", mcp_number_of(side, "volumeError"));
+    if (cJSON_IsFalse(mcp_get(side, "closed"))) mcp_text_put(words, ", not closed");
+}
 
 static void describe_regions(const cJSON *content, struct mcp_text *words)
 {
@@ -14,22 +42,15 @@ static void describe_regions(const cJSON *content, struct mcp_text *words)
     int listed = 0;
     cJSON_ArrayForEach(region, mcp_get(content, "regions"))
     {
-        const cJSON *in = mcp_get(region, "in"), *center = mcp_get(region, "center");
+        const cJSON *in = mcp_get(region, "in"), *box = mcp_get(region, "box");
         if (!cJSON_IsString(in) || listed++ == LISTED_MAX) break;
-        mcp_text_print(words, "\n- only in %s: volume %.4g around (%.4g, %.4g, %.4g)", in->valuestring,
-                       mcp_number_of(region, "volume"), mcp_number_at(center, 0), mcp_number_at(center, 1),
-                       mcp_number_at(center, 2));
+        mcp_text_print(words, "\n- only in %s", in->valuestring);
+        if (mcp_get(region, "part")) mcp_text_put(words, ", part ");
+        if (mcp_get(region, "part")) mcp_name_put(words, mcp_get(region, "part"));
+        mcp_text_print(words, ": volume %.4g, box %.3g x %.3g x %.3g", mcp_number_of(region, "volume"), side_of(box, 0),
+                       side_of(box, 1), side_of(box, 2));
+        mcp_place_put(words, " around ", mcp_get(region, "center"), 4, REGION_ZERO * longest_side_of(box));
     }
-}
-
-/* Writes a place; parts of it that are next to nothing, as lengths, are 0. */
-static void put_place(struct mcp_text *words, const char *before, const cJSON *at, double nothing)
-{
-    double place[3];
-    if (!at) return;
-    for (int i = 0; i < 3; i++)
-        place[i] = fabs(mcp_number_at(at, i)) > nothing ? mcp_number_at(at, i) : 0;
-    mcp_text_print(words, "%s(%.6g, %.6g, %.6g)", before, place[0], place[1], place[2]);
 }
 
 /* Writes a length, and the new one if it differs. */
@@ -42,11 +63,11 @@ static void put_length(struct mcp_text *words, const cJSON *hole, const char *na
     if (mcp_get(hole, new_name) && strcmp(before, now) != 0) mcp_text_print(words, " to %s", now);
 }
 
-static void describe_hole(const cJSON *hole, const char *kind, struct mcp_text *words)
+static void describe_hole(const cJSON *hole, double size, struct mcp_text *words)
 {
     const cJSON *through = mcp_get(hole, "through"), *now = mcp_get(hole, "newThrough"), *at = mcp_get(hole, "newAt");
-    const double nothing = 1e-6 * mcp_number_of(hole, "diameter");
-    mcp_text_print(words, "\n- hole %s: diameter ", kind);
+    const double zero = PLACE_ZERO * size;
+    mcp_text_put(words, "diameter ");
     put_length(words, hole, "diameter", "newDiameter");
     mcp_text_put(words, ", ");
     put_length(words, hole, "depth", "newDepth");
@@ -54,29 +75,44 @@ static void describe_hole(const cJSON *hole, const char *kind, struct mcp_text *
     if (through) mcp_text_put(words, cJSON_IsTrue(through) ? ", through" : ", blind");
     if (now && through && cJSON_IsTrue(now) != cJSON_IsTrue(through))
         mcp_text_put(words, cJSON_IsTrue(now) ? " to through" : " to blind");
-    put_place(words, at ? ", from " : ", at ", mcp_get(hole, "at"), nothing);
-    put_place(words, " to ", at, nothing);
+    mcp_place_put(words, at ? ", from " : ", at ", mcp_get(hole, "at"), 6, zero);
+    mcp_place_put(words, " to ", at, 6, zero);
 }
 
-static void describe_holes(const cJSON *content, struct mcp_text *words)
+static void describe_part(const cJSON *part, double size, struct mcp_text *words)
+{
+    mcp_name_put(words, mcp_get(part, "name"));
+    mcp_place_put(words, " by ", mcp_get(part, "by"), 6, PLACE_ZERO * size);
+}
+
+/* Writes the lists of what moved, changed, is gone or is new. `size`: of the model. */
+static void describe_changes(const cJSON *lists, const char *what,
+                             void (*describe)(const cJSON *, double, struct mcp_text *), double size,
+                             struct mcp_text *words)
 {
     static const char *const kinds[] = {"moved", "changed", "removed", "added"};
-    const cJSON *holes = mcp_get(mcp_get(content, "features"), "holes"), *hole;
+    const cJSON *item;
     int count = 0;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        cJSON_ArrayForEach(hole, mcp_get(holes, kinds[i]))
+        cJSON_ArrayForEach(item, mcp_get(lists, kinds[i]))
         {
-            if (count++ < LISTED_MAX) describe_hole(hole, kinds[i], words);
+            if (count++ >= LISTED_MAX) continue;
+            mcp_text_print(words, "\n- %s %s: ", what, kinds[i]);
+            describe(item, size, words);
         }
-    count += (int)mcp_number_of(holes, "omitted");
-    if (count > LISTED_MAX) mcp_text_print(words, "\n- and %d more holes", count - LISTED_MAX);
+    count += (int)mcp_number_of(lists, "omitted");
+    if (count > LISTED_MAX) mcp_text_print(words, "\n- and %d more %ss", count - LISTED_MAX, what);
 }
 
 static void describe(const cJSON *content, struct mcp_text *words)
 {
     const cJSON *summary = mcp_get(content, "summary"), *warning;
     if (cJSON_IsString(summary)) mcp_text_put(words, summary->valuestring);
-    describe_holes(content, words);
+    describe_side(content, "a", words);
+    describe_side(content, "b", words);
+    const double size = longest_side_of(mcp_get(mcp_get(content, "a"), "box"));
+    describe_changes(mcp_get(content, "parts"), "part", describe_part, size, words);
+    describe_changes(mcp_get(mcp_get(content, "features"), "holes"), "hole", describe_hole, size, words);
     describe_regions(content, words);
     cJSON_ArrayForEach(warning, mcp_get(content, "warnings"))
     {

@@ -33,7 +33,7 @@ const char mcp_instructions[] =
     "are closed; negative if faces are turned inside out. With csg, that of the combined solid; parts are its "        \
     "operands, and area and shells are null.\"},\"volumeError\":{\"type\":\"number\",\"description\":"                 \
     "\"If shells overlap: what is inside counts once, and volume is measured to within about "                         \
-    "this.\"},\"area\":" MAYBE_NUMBER                                                                                  \
+    "this.\"},\"centerOfMass\":" VECTOR ",\"area\":" MAYBE_NUMBER                                                      \
     ",\"closed\":{\"type\":[\"boolean\",\"null\"],\"description\":\"Every edge is used equally often in both "         \
     "directions. null: over 1000 parts; so are volume, area, shells.\"},"                                              \
     "\"shells\":" MAYBE_SHELLS                                                                                         \
@@ -129,8 +129,11 @@ static const struct tool TOOLS[MCP_TOOLS] = {
                     {render_keys, measured_keys, picture_keys}},
     [MCP_FACTS] = {"facts",
                    "Measure a 3D model",
-                   "Measures a model or a scene without drawing: box, volume, area, whether it is closed, its shells, "
-                   "and the same of each part, with its holes, bosses, fillets, planes and symmetry.",
+                   "Measures a model or a scene without drawing: box, volume, centre of mass, area, whether it is "
+                   "closed, its shells, and the same of each part, with its holes, bosses, fillets, flat faces, "
+                   "symmetry and least wall. Beside a model, the scene {'distances': [['a', 'b']]} adds the distance "
+                   "of the parts a and b, and whether they overlap; {'csg': {'intersection': ['a', 'b']}} has the "
+                   "volume that they share.",
                    "",
                    {facts_keys, measured_keys, "}}"}},
     [MCP_PICK] = {"pick",
@@ -141,8 +144,9 @@ static const struct tool TOOLS[MCP_TOOLS] = {
                   {pick_schema}},
     [MCP_COMPARE] = {"compare",
                      "Compare two 3D models",
-                     "Compares two models: volumes that both share (IoU), distances between the surfaces, regions and "
-                     "parts that were added, removed or moved, and a picture of the differences.",
+                     "Compares two models: sizes of both, volumes that both share (IoU), distances between the "
+                     "surfaces, holes, parts and regions that were added, removed or moved, and a picture of the "
+                     "differences. With align 'principal', b may lie elsewhere, and mirror images are noticed.",
                      ",\"required\":[\"a\",\"b\"]",
                      {compare_schema}},
     [MCP_DRAWING] = {"drawing",

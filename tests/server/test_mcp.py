@@ -372,10 +372,12 @@ class Http(unittest.TestCase):
         content = self.call("facts", model={"text": BOX})["structuredContent"]
         self.assertEqual(content["box"], {"min": [0, 0, 0], "max": [20, 10, 5], "size": [20, 10, 5]})
         self.assertEqual((content["volume"], content["area"], content["closed"], content["units"]), (1000, 700, True, None))
+        self.assertEqual(content["centerOfMass"], [10, 5, 2.5])
         self.assertEqual([part["name"] for part in content["parts"]], ["block"])
         result = self.call("facts", model={"base64": base64.b64encode(ASSEMBLY.encode()).decode()})
         content = result["structuredContent"]
         self.assertEqual((content["volume"], content["closed"], content["box"]["size"]), (None, False, [40, 10, 5]))
+        self.assertNotIn("centerOfMass", content)
         self.assertEqual([(part["name"], part["closed"], part["volume"]) for part in content["parts"]], [("block", True, 1000), ("plate", False, None)])
         self.assertEqual(content["shells"], {"outward": 1, "inward": 0, "open": 1})
         self.assertEqual(content["parts"][1]["shells"], {"outward": 0, "inward": 0, "open": 1})
@@ -408,6 +410,7 @@ class Http(unittest.TestCase):
         result = self.call("facts", scene=scene)
         content = result["structuredContent"]
         self.assertAlmostEqual(content["volume"], 0.5, delta=content["volumeError"])
+        self.assertEqual(content["centerOfMass"], content["csg"]["centerOfMass"])
         self.assertEqual((content["csg"]["volume"], content["area"], content["shells"], len(content["parts"])), (content["volume"], None, None, 2))
         self.assertIn("; solid combined by csg: volume 0.5 +- ", texts(result)[0])
         self.assertIn("the parts listed are its operands", texts(result)[0])
@@ -420,6 +423,12 @@ class Http(unittest.TestCase):
         for line in ("\n  holes: 1 x diameter 2, through, 2 deep", "\n  symmetry: mirror x = 0, y = 0, z = 1; turn ", "4-fold about (0, 0, 1) at (0, 0, 1)", "\n  least wall between parallel faces: 2 at ("):
             self.assertIn(line, text)
         self.assertNotIn("not searched", text)
+        row = [plate(12 * i, radius=1 + i / 16) for i in range(14)]
+        places, before = [place for part in row for place in part["positions"]], len(mesh["positions"])
+        row = {"positions": places, "faces": [[before * i + k for k in face] for i, part in enumerate(row) for face in part["faces"]]}
+        text = texts(self.call("facts", scene={"meshes": [row]}))[0]
+        self.assertEqual(text.count(" x diameter"), 12)
+        self.assertIn("; and 2 more\n  flat faces by area: ", text)
         text = texts(self.call("facts", scene={"meshes": [{**mesh, "faces": mesh["faces"][:-1]}]}))[0]
         self.assertIn("\n  open loops: 1, of 3 edges, length ", text)
         result = self.call("facts", scene={"meshes": [plate(12 * i, name=f"p{i}") for i in range(250)]})
@@ -532,6 +541,7 @@ class Http(unittest.TestCase):
             content, words = result["structuredContent"], result["content"][0]["text"]
             self.assertEqual([content["box"]["min"][0], content["box"]["max"][0]], box, scene)
             self.assertEqual((content["volume"], content["area"], content.get("partsHidden")), (volume, area, hidden), scene)
+            self.assertEqual("centerOfMass" in content, volume is not None, scene)
             self.assertEqual(content.get("explode"), scene.get("explode"))
             self.assertEqual(hidden is not None, "of them hidden" in words, words)
             self.assertEqual("exploded" in words, "explode" in scene, words)

@@ -1,5 +1,6 @@
 """`facts` beside the reference figures of the 15 tasks that RobertCoop/openscad-mcp (MIT) measures agents by: box, volume or area,
-closedness, solids and voids, in millimetres. The models are made here, from the tasks' dimensions."""
+closedness, solids and voids, in millimetres. The models are made here, from the tasks' dimensions. And 30 questions of a reviewer, each
+answered by the text of one call."""
 import json
 import math
 import os
@@ -206,16 +207,118 @@ TASKS = {
 }
 
 
+def obj(**parts):
+    """Returns a model with these parts as OBJ."""
+    text, count = "", 0
+    for name, faces in parts.items():
+        text += f"o {name}\n"
+        for face in faces:
+            text += "".join("v {:.9g} {:.9g} {:.9g}\n".format(*p) for p in face["vertices"])
+            text += "f " + " ".join(str(count + 1 + i) for i in range(len(face["vertices"]))) + "\n"
+            count += len(face["vertices"])
+    return {"text": text}
+
+
+def drilled(x=0, radius=4, height=6):
+    """Returns a block of 40 x 40 with a hole, as quadrilaterals."""
+    directions, hole = ring(1), ring(radius, (x, 0))
+    outline = [(20 * c / max(abs(c), abs(s)), 20 * s / max(abs(c), abs(s))) for c, s in directions]
+    caps = wall(outline, height, hole, height) + wall(outline, 0, hole, 0, True)
+    return wall(outline, 0, outline, height) + wall(hole, 0, hole, height, True) + caps
+
+
+def of(name, **scene):
+    """Returns the arguments of facts for a task's model."""
+    return {"scene": {"polygons": TASKS[name][0], **scene}}
+
+
+def shifted(faces, x=0, y=0, z=0):
+    return moved(faces, lambda p: [p[0] + x, p[1] + y, p[2] + z])
+
+
+def pair(z, scene=None):
+    """Returns the arguments of facts for a cube of 10 and a second one above its bottom by z."""
+    cube = prism(square(0, 0, 10, 10), 0, 10)
+    return {"model": obj(low=cube, high=shifted(cube, z=z)), "scene": scene or {}}
+
+
+def two(a, b, **more):
+    """Returns the arguments of compare."""
+    return {"a": obj(part=a), "b": obj(part=b), "show": "none", **more}
+
+
+def top(**more):
+    """Returns the arguments of pick for a drilled block, seen from above."""
+    return {"model": obj(part=drilled()), "up": "z", "views": ["top"], "width": 200, "height": 200, "x": 150, "y": 100, **more}
+
+
+# Corners of a part that differs from its mirror image.
+WEDGE = [(0, 0, 0), (40, 0, 0), (0, 30, 0), (0, 0, 20)]
+LEFT = [{"vertices": [list(WEDGE[i]) for i in face]} for face in ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))]
+RIGHT = [{"vertices": [[-x, y, z] for x, y, z in face["vertices"]][::-1]} for face in LEFT]
+
+# What a reviewer asks, the call, and what its text has. Numbers are those of the dimensions.
+QUESTIONS = (
+    ("How large is the bracket, and does it fit into 70 x 50 x 50?", "facts", of("bracket_l"), ["box 60 x 40 x 40 "]),
+    ("What are its volume and its area?", "facts", of("bracket_l"), ["volume 22025.6 units^3", "; area 10505.7 units^2"]),
+    ("Where is its centre of mass?", "facts", of("bracket_l"), [", centre of mass (30, 11.7921, 11.7921)"]),
+    ("How many holes has it, of which size, and where?", "facts", of("bracket_l"), [
+        "2 x diameter 5.5, through, 5 deep, along (0, 0, -1), at (15, 25, 5), (45, 25, 5); 2 x diameter 5.5, through, 5 deep, along (0, -1, 0), at (15, 5, 25), (45, 5, 25)"]),
+    ("Does the hole of the boss go through, and how deep is it?", "facts", of("insert_boss"), ["1 x diameter 4, blind, 8 deep, along (0, 0, -1), at (0, 0, 13)"]),
+    ("Are the holes for screws countersunk?", "facts", of("countersunk_plate"), ["4 x diameter 4.3, through, 3.85 deep, countersink of diameter 8.6, 2.15 deep, 90 degrees"]),
+    ("How are they arranged?", "facts", of("countersunk_plate"), [", in a grid of 2 x 2, pitch 20 x 36 around (30, 20, 6)"]),
+    ("Does a pin of 3.2 go through a hole of 8 facets?", "facts", {"scene": {"polygons": prism(square(-9, -9, 9, 9), 0, 5, [ring(1.6, count=8)])}}, ["diameter 3.2 (2.9564 across its 8 flats)"]),
+    ("Has the enclosure round holes?", "facts", of("hollow_enclosure"), ["\n  holes: no round one was found"]),
+    ("Has the enclosure a void?", "facts", of("hollow_enclosure"), ["1 closed shell, 1 inward shell (a void"]),
+    ("Where is its least wall?", "facts", of("hollow_enclosure"), ["\n  least wall between parallel faces: 2.5 at ("]),
+    ("About which planes is the plate symmetric?", "facts", of("countersunk_plate"), ["\n  symmetry: mirror x = 30, y = 20;"]),
+    ("Which turns bring the gear onto itself?", "facts", of("gear_polygon"), [", 12-fold about (0, 0, 1) at (0, 0, 3)"]),
+    ("Through which pipe does the gear go?", "facts", of("gear_polygon"), ["\n  bounding cylinder: diameter 36, 6 high, along (0, 0, 1)"]),
+    ("Which radius has the smallest inner corner?", "facts", of("gridfinity_bin"), ["\n  fillets: 4 x radius 2.8\n  rounds: 4 x radius 4\n"]),
+    ("Which faces are flat, where and how large?", "facts", of("plate_simple"), [
+        "\n  flat faces by area: 2400 at z = 0; 2400 at z = 5; 300 at y = 0; 300 at y = 40; 200 at x = 60; 200 at x = 0\n"]),
+    ("Is the part closed, and if not, where?", "facts", {"scene": {"polygons": TASKS["plate_simple"][0][1:]}}, ["; not closed, so there is no volume: 4 open edges, one at ("]),
+    ("Do all faces look outwards?", "facts", {"scene": {"polygons": [{"vertices": TASKS["plate_simple"][0][0]["vertices"][::-1]}] + TASKS["plate_simple"][0][1:]}},
+     ["; not closed, so there is no volume: 4 flipped edges, one at ("]),
+    ("How many parts are there, and how large is each?", "facts", pair(12.5), ["; 2 parts, whose areas and volumes are summed", "'high': box 10 x 10 x 10 units", ", area 600 units^2, closed, volume 1000 units^3, centre of mass (5, 5, 17.5)"]),
+    ("How far apart are two parts?", "facts", pair(12.5, {"distances": [["low", "high"]]}), ["\n- distance of 'low' and 'high': 2.5, from ("]),
+    ("Do they overlap, and by how much?", "facts", pair(7.5, {"distances": [["low", "high"]], "csg": {"intersection": ["low", "high"]}}), [
+        "\n- distance of 'low' and 'high': 0, they cross", "; solid combined by csg: volume 250 +- ", "; the box may be larger; "]),
+    ("Which of two parts is larger?", "compare", two(drilled(), drilled(height=9)), ["\n- a: box 40 x 40 x 6, area ", ", volume 9298.89\n", "\n- b: box 40 x 40 x 9, area ", ", volume 13948.3\n"]),
+    ("Which hole moved?", "compare", two(drilled(), drilled(x=5)), ["volume +0 %", "\n- hole moved: diameter 8, 6 deep, through, from (0, 0, 6) to (5, 0, 6)"]),
+    ("Where is material missing, and how much?", "compare", two(drilled(), drilled(radius=5)), [
+        "\n- hole changed: diameter 8 to 10, 6 deep, through", "\n- only in a: volume 169.", ", box 10 x 10 x 6 around (0, 0, 3)"]),
+    ("Which part of an assembly moved?", "compare", {"a": pair(12.5)["model"], "b": pair(15)["model"], "show": "none"}, ["\n- part moved: 'high' by (0, 0, 2.5)", "\n- only in b, part 'high': volume 250"]),
+    ("Is it the same part in other units?", "compare", two(drilled(), moved(drilled(), lambda p: [25.4 * c for c in p])), ["\nwarning: b is 25.4 times as large as a, as if one had other units: inches and millimetres"]),
+    ("Is it the left-hand version?", "compare", two(LEFT, RIGHT, align="principal"), ["\nwarning: a mirror image of b fits a much better than b does"]),
+    ("Is it the same part, elsewhere?", "compare", two(drilled(x=5), moved(drilled(x=5), lambda p: [100 - p[1], p[0], p[2]])), [
+        "\nwarning: no hole of a is at its place in b, but their areas are nearly the same: align=principal moves b if it fits"]),
+    ("Which surface is at a pixel, and what is behind it?", "pick", top(), [
+        "\n- part 'part', face ", ", front side, visible\n- part 'part', face ", ", back side, hidden\nvisible surface, plane, normal (0, 0, 1)"]),
+    ("How far apart are two faces, and at which angle?", "pick", top(views=["isometric"], x=140, y=100, toX=140, toY=130), ["\nto the other pixel: distance 11.6575, offset (7.8075, -7.8075, -3.73957), along the first normal -3.73957, angle of the normals 90 degrees"]),
+)
+
+
+def call_all(calls):
+    """Returns the results of calls of `zraster mcp`, each a tool and its arguments."""
+    lines = [json.dumps({"jsonrpc": "2.0", "id": i, "method": "tools/call", "params": {"name": tool, "arguments": given}}) for i, (tool, given) in enumerate(calls)]
+    ran = subprocess.run([os.path.join(build, "zraster"), "mcp", "--root", "."], input="\n".join(lines) + "\n", capture_output=True, text=True, check=True)
+    answers = {answer["id"]: answer["result"] for answer in map(json.loads, ran.stdout.splitlines())}
+    return [answers[i] for i in range(len(lines))]
+
+
 class Tasks(unittest.TestCase):
+    def test_questions(self):
+        """the text of one call answers each of 30 questions of a reviewer"""
+        self.assertEqual(len(QUESTIONS), 30)
+        for (question, _, _, wanted), result in zip(QUESTIONS, call_all([row[1:3] for row in QUESTIONS])):
+            for words in wanted:
+                with self.subTest(question):
+                    self.assertIn(words, result["content"][0]["text"])
+
     def test_tasks(self):
         """facts agrees with the figures of 15 tasks"""
-        command = [os.path.join(build, "zraster"), "mcp", "--root", "."]
-        lines = [
-            json.dumps({"jsonrpc": "2.0", "id": name, "method": "tools/call", "params": {"name": "facts", "arguments": {"scene": {"polygons": task[0]}}}})
-            for name, task in TASKS.items()
-        ]
-        ran = subprocess.run(command, input="\n".join(lines) + "\n", capture_output=True, text=True, check=True)
-        answers = {answer["id"]: answer["result"] for answer in map(json.loads, ran.stdout.splitlines())}
+        answers = dict(zip(TASKS, call_all([("facts", of(name)) for name in TASKS])))
         self.assertEqual(len(answers), 15)
         for name, (_, sides, tolerance, measure, percent, is_closed, shells) in TASKS.items():
             with self.subTest(name):
