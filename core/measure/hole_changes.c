@@ -15,6 +15,9 @@ enum { ITEMS_PER_CANCEL_CHECK = 1 << 13, NONE = -1, EQUAL = -2 };
 /* The cosine of half a degree. */
 #define PARALLEL 0.9999619230641713
 
+/* Cones whose angles differ by up to this, in degrees, are the same. */
+#define SAME_ANGLE 0.5
+
 /* Axes nearer than this share of the diameter are the same. */
 #define COAXIAL 0.02
 
@@ -101,11 +104,17 @@ static bool is_parallel(const struct zr_hole *a, const struct zr_hole *b)
     return fabs(zr_dvec3_dot(a->axis, b->axis)) >= PARALLEL;
 }
 
+static bool is_same_step(const struct comparing *c, const struct zr_hole_step *a, const struct zr_hole_step *b)
+{
+    return is_alike(a->diameter, b->diameter, c->tolerance) && is_alike(a->depth, b->depth, c->tolerance) &&
+           fabs(a->angle - b->angle) <= SAME_ANGLE;
+}
+
 static bool has_same_size(const struct comparing *c, const struct zr_hole *a, const struct zr_hole *b)
 {
     if (!is_parallel(a, b) || a->step_count != b->step_count || a->reach != b->reach) return false;
     for (uint32_t i = 0; i < a->step_count; i++)
-        if (!is_alike(a->steps[i].diameter, b->steps[i].diameter, c->tolerance)) return false;
+        if (!is_same_step(c, &a->steps[i], &b->steps[i])) return false;
     return is_alike(a->diameter, b->diameter, c->tolerance) && is_alike(a->depth, b->depth, c->tolerance);
 }
 

@@ -23,11 +23,23 @@ static void describe_pattern(struct mcp_text *text, const cJSON *pattern)
     mcp_place_put(text, " around ", mcp_get(pattern, "center"), 6, 0);
 }
 
+void mcp_features_describe_steps(struct mcp_text *text, const cJSON *steps)
+{
+    const cJSON *step;
+    cJSON_ArrayForEach(step, steps)
+    {
+        const double angle = mcp_number_of(step, "angleDegrees");
+        mcp_text_print(text, ", %s of diameter %.5g, %.5g deep", angle > 0 ? "countersink" : "step",
+                       mcp_number_of(step, "diameter"), mcp_number_of(step, "depth"));
+        if (angle > 0) mcp_text_print(text, ", %.4g degrees", angle);
+    }
+}
+
 /* Writes a group of holes or bosses: "4 x diameter 3.2, through, 6 deep, along (0, 0, -1), at (1, 2, 6), ...". */
 static void describe_group(struct mcp_text *text, const cJSON *group)
 {
     const double diameter = mcp_number_of(group, "diameter"), flats = mcp_number_of(group, "acrossFlats");
-    const cJSON *through = mcp_get(group, "through"), *place, *step;
+    const cJSON *through = mcp_get(group, "through"), *place;
     int places = 0;
     mcp_text_print(text, "%.0f x diameter %.5g", mcp_number_of(group, "count"), diameter);
     if (flats < FLATS_SHARE * diameter)
@@ -40,13 +52,7 @@ static void describe_group(struct mcp_text *text, const cJSON *group)
         mcp_text_print(text, ", %.5g deep", mcp_number_of(group, "depth"));
     else
         mcp_text_print(text, ", %.5g high", mcp_number_of(group, "height"));
-    cJSON_ArrayForEach(step, mcp_get(group, "steps"))
-    {
-        const double angle = mcp_number_of(step, "angleDegrees");
-        mcp_text_print(text, ", %s of diameter %.5g, %.5g deep", angle > 0 ? "countersink" : "step",
-                       mcp_number_of(step, "diameter"), mcp_number_of(step, "depth"));
-        if (angle > 0) mcp_text_print(text, ", %.4g degrees", angle);
-    }
+    mcp_features_describe_steps(text, mcp_get(group, "steps"));
     mcp_place_put(text, ", along ", mcp_get(group, "axis"), 4, 0);
     describe_pattern(text, mcp_get(group, "pattern"));
     cJSON_ArrayForEach(place, mcp_get(group, "at"))

@@ -9,4 +9,7 @@
 /* Writes the lines of a part of the channel info. Each begins with a line feed and two spaces. */
 void mcp_features_describe(struct mcp_text *text, const cJSON *part);
 
+/* Writes the steps of a hole: ", step of diameter 8, 2 deep". */
+void mcp_features_describe_steps(struct mcp_text *text, const cJSON *steps);
+
 #endif

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "features.h"
 #include "place.h"
 #include "tree.h"
 
@@ -63,6 +64,20 @@ static void put_length(struct mcp_text *words, const cJSON *hole, const char *na
     if (mcp_get(hole, new_name) && strcmp(before, now) != 0) mcp_text_print(words, " to %s", now);
 }
 
+/* Writes the steps of a hole, and the new ones if they differ. */
+static void put_steps(struct mcp_text *words, const cJSON *hole)
+{
+    struct mcp_text before = {0}, now = {0};
+    mcp_features_describe_steps(&before, mcp_get(hole, "steps"));
+    mcp_features_describe_steps(&now, mcp_get(hole, "newSteps"));
+    const char *own = before.data ? before.data : "", *other = now.data ? now.data : ", no step";
+    mcp_text_put(words, own);
+    if (mcp_get(hole, "newSteps") && strcmp(own, other) != 0) mcp_text_print(words, ", now%s", other + 1);
+    words->failed |= before.failed || now.failed;
+    mcp_text_free(&before);
+    mcp_text_free(&now);
+}
+
 static void describe_hole(const cJSON *hole, double size, struct mcp_text *words)
 {
     const cJSON *through = mcp_get(hole, "through"), *now = mcp_get(hole, "newThrough"), *at = mcp_get(hole, "newAt");
@@ -75,6 +90,7 @@ static void describe_hole(const cJSON *hole, double size, struct mcp_text *words
     if (through) mcp_text_put(words, cJSON_IsTrue(through) ? ", through" : ", blind");
     if (now && through && cJSON_IsTrue(now) != cJSON_IsTrue(through))
         mcp_text_put(words, cJSON_IsTrue(now) ? " to through" : " to blind");
+    put_steps(words, hole);
     mcp_place_put(words, at ? ", from " : ", at ", mcp_get(hole, "at"), 6, zero);
     mcp_place_put(words, " to ", at, 6, zero);
 }

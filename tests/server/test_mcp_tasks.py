@@ -219,12 +219,12 @@ def obj(**parts):
     return {"text": text}
 
 
-def drilled(x=0, radius=4, height=6):
-    """Returns a block of 40 x 40 with a hole, as quadrilaterals."""
-    directions, hole = ring(1), ring(radius, (x, 0))
+def drilled(x=0, radius=4, height=6, profile=()):
+    """Returns a block of 40 x 40 with a hole, as quadrilaterals. `profile`: radius and height of its steps, from below."""
+    directions = ring(1)
     outline = [(20 * c / max(abs(c), abs(s)), 20 * s / max(abs(c), abs(s))) for c, s in directions]
-    caps = wall(outline, height, hole, height) + wall(outline, 0, hole, 0, True)
-    return wall(outline, 0, outline, height) + wall(hole, 0, hole, height, True) + caps
+    rings = [(outline, 0), (ring(radius, (x, 0)), 0), *((ring(r, (x, 0)), z) for r, z in profile or [(radius, height)]), (outline, height)]
+    return wall(outline, 0, outline, height) + [face for low, high in zip(rings, rings[1:]) for face in wall(*low, *high, True)]
 
 
 def of(name, **scene):
@@ -315,6 +315,15 @@ class Tasks(unittest.TestCase):
             for words in wanted:
                 with self.subTest(question):
                     self.assertIn(words, result["content"][0]["text"])
+
+    def test_changed_steps(self):
+        """compare names the old and the new counterbore or countersink of a hole"""
+        plain, bored, wide, sunk = (drilled(radius=2, profile=p) for p in ((), [(2, 4), (4, 4), (4, 6)], [(2, 4), (5, 4), (5, 6)], [(2, 4), (4, 6)]))
+        step = ", through, step of diameter 8, 2 deep, "
+        rows = ((bored, wide, step + "now step of diameter 10, 2 deep, from"), (bored, sunk, step + "now countersink of diameter 8, 2 deep, 90 degrees, from"),
+                (bored, plain, step + "now no step, from"), (plain, bored, ", through, now step of diameter 8, 2 deep, from"))
+        for (_, _, wanted), result in zip(rows, call_all([("compare", two(a, b)) for a, b, _ in rows])):
+            self.assertRegex(result["content"][0]["text"], r"\n- hole changed: diameter 4, \d( to \d)? deep" + wanted)
 
     def test_tasks(self):
         """facts agrees with the figures of 15 tasks"""

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "output/json/features_json.h"
 #include "output/json/json_print.h"
 #include "scene/picture.h"
 
@@ -289,6 +290,9 @@ static void print_hole(struct zr_print *print, const struct zr_comparison *c, co
     if (hole->reach != ZR_REACH_UNKNOWN) zr_print_bool(print, "through", hole->reach == ZR_REACH_THROUGH);
     if (change->kind == ZR_HOLE_CHANGED && change->b.reach != ZR_REACH_UNKNOWN)
         zr_print_bool(print, "newThrough", change->b.reach == ZR_REACH_THROUGH);
+    if (hole->step_count > 0) zr_hole_steps_print(print, "steps", hole);
+    if (change->kind == ZR_HOLE_CHANGED && hole->step_count + change->b.step_count > 0)
+        zr_hole_steps_print(print, "newSteps", &change->b);
     zr_print_doubles(print, "axis", axis, 3);
     print_place(print, "at", c, place_of_hole(hole));
     if (has_both) print_place(print, "newAt", c, place_of_hole(&change->b));

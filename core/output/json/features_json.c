@@ -104,6 +104,21 @@ static void print_pattern(const struct printing *p, const struct zr_pattern *pat
     zr_print_end(p->print, '}');
 }
 
+void zr_hole_steps_print(struct zr_print *print, const char *key, const struct zr_hole *hole)
+{
+    const struct printing p = {.print = print};
+    zr_print_begin(print, key, '[');
+    for (uint32_t i = 0; i < hole->step_count; i++) {
+        zr_print_begin(print, NULL, '{');
+        print_length(&p, "diameter", hole->steps[i].diameter);
+        print_length(&p, "depth", hole->steps[i].depth);
+        if (hole->steps[i].angle > 0.0) print_length(&p, "angleDegrees", hole->steps[i].angle);
+        zr_print_count(print, "segments", hole->steps[i].segments);
+        zr_print_end(print, '}');
+    }
+    zr_print_end(print, ']');
+}
+
 static void print_group(const struct printing *p, const struct zr_hole *holes, uint32_t count, uint32_t first,
                         bool is_hole)
 {
@@ -119,18 +134,7 @@ static void print_group(const struct printing *p, const struct zr_hole *holes, u
     print_pattern(p, &hole->pattern);
     zr_print_count(p->print, "segments", hole->segments);
     print_length(p, "coverageDegrees", hole->coverage);
-    if (hole->step_count > 0) {
-        zr_print_begin(p->print, "steps", '[');
-        for (uint32_t i = 0; i < hole->step_count; i++) {
-            zr_print_begin(p->print, NULL, '{');
-            print_length(p, "diameter", hole->steps[i].diameter);
-            print_length(p, "depth", hole->steps[i].depth);
-            if (hole->steps[i].angle > 0.0) print_length(p, "angleDegrees", hole->steps[i].angle);
-            zr_print_count(p->print, "segments", hole->steps[i].segments);
-            zr_print_end(p->print, '}');
-        }
-        zr_print_end(p->print, ']');
-    }
+    if (hole->step_count > 0) zr_hole_steps_print(p->print, "steps", hole);
     zr_print_end(p->print, '}');
 }
 

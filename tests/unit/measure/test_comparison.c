@@ -132,6 +132,22 @@ TEST_AROUND(a_blind_hole_that_becomes_through_is_told, open_arena, close_arena)
     assert_non_null(strstr(text, "\"through\":true,\"newThrough\":true"));
 }
 
+TEST_AROUND(steps_of_changed_holes_are_told, open_arena, close_arena)
+{
+    const struct drill plain = {.x = 40, .y = 10, .radius = 3, .segments = 32},
+                       bored = {.x = 40, .y = 10, .radius = 3, .segments = 32, .bore = 5, .bore_depth = 2},
+                       wide = {.x = 40, .y = 10, .radius = 3, .segments = 32, .bore = 6, .bore_depth = 2},
+                       sunk = {.x = 40, .y = 10, .radius = 3, .segments = 32, .cone = 2};
+    const char *text = compare_holes(&bored, 200, &wide, ZR_ALIGN_NONE);
+    assert_non_null(strstr(text, "\"steps\":[{\"diameter\":10,\"depth\":2,\"segments\":32}],"
+                                 "\"newSteps\":[{\"diameter\":12,\"depth\":2,\"segments\":32}]"));
+    text = compare_holes(&bored, 200, &sunk, ZR_ALIGN_NONE);
+    assert_non_null(strstr(text, "; 1 hole changed;"));
+    assert_non_null(strstr(text, "\"newSteps\":[{\"diameter\":10,\"depth\":2,\"angleDegrees\":90,"));
+    assert_non_null(strstr(compare_holes(&bored, 200, &plain, ZR_ALIGN_NONE), "\"newSteps\":[]"));
+    assert_null(strstr(compare_holes(&bored, 200, &bored, ZR_ALIGN_NONE), "teps\""));
+}
+
 TEST_AROUND(an_alignment_is_advised_if_no_hole_fits, open_arena, close_arena)
 {
     const struct drill one = {.x = 40, .y = 10, .radius = 3, .segments = 32},
