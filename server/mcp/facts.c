@@ -51,10 +51,10 @@ static cJSON *make_box(const cJSON *bounds)
 
 static cJSON *make_part(const cJSON *part)
 {
-    static const char *const keys[] = {"name",         "id",          "hidden",          "triangles", "area",
-                                       "volume",       "volumeError", "closed",          "shells",    "openEdges",
-                                       "flippedEdges", "leastWall",   "centerOfMass",    "color",     "pixels",
-                                       "features",     "leastWallAt", "leastWallOmitted"};
+    static const char *const keys[] = {"name",         "id",          "hidden",           "triangles", "area",
+                                       "volume",       "volumeError", "closed",           "shells",    "openEdges",
+                                       "flippedEdges", "leastWall",   "centerOfMass",     "color",     "pixels",
+                                       "features",     "leastWallAt", "leastWallOmitted", "capArea"};
     cJSON *made = cJSON_CreateObject();
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         copy(made, part, keys[i]);

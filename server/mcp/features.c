@@ -193,5 +193,6 @@ void mcp_features_describe(struct mcp_text *text, const cJSON *part)
     describe_cylinder(text, mcp_get(features, "boundingCylinder"));
     if (features) describe_symmetry(text, mcp_get(features, "symmetry"));
     describe_least_wall(text, part);
+    if (mcp_get(part, "capArea")) mcp_text_print(text, "\n  area of the section: %.6g", mcp_number_of(part, "capArea"));
     describe_open_loops(text, features);
 }

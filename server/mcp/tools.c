@@ -41,7 +41,8 @@ const char mcp_instructions[] =
     "\"properties\":{\"name\":" TEXT ",\"id\":{\"type\":\"integer\"},\"hidden\":{\"type\":\"boolean\"},\"box\":" BOX   \
     ",\"triangles\":{\"type\":\"integer\"},\"area\":" NUMBER ",\"volume\":" MAYBE_NUMBER ",\"volumeError\":" NUMBER    \
     ",\"closed\":{\"type\":\"boolean\"},\"openEdges\":" EDGES ",\"flippedEdges\":" EDGES ",\"shells\":" SHELLS         \
-    ",\"leastWall\":" MAYBE_NUMBER ",\"leastWallAt\":" VECTOR ",\"centerOfMass\":" MAYBE_VECTOR ",\"color\":" TEXT     \
+    ",\"leastWall\":" MAYBE_NUMBER ",\"leastWallAt\":" VECTOR ",\"capArea\":" NUMBER ",\"centerOfMass\":" MAYBE_VECTOR \
+    ",\"color\":" TEXT                                                                                                 \
     ",\"pixels\":{\"type\":\"integer\"},\"features\":{\"type\":\"object\"}}}},\"partsOmitted\":{\"type\":"             \
     "\"integer\"}"                                                                                                     \
     ","                                                                                                                \
@@ -133,7 +134,8 @@ static const struct tool TOOLS[MCP_TOOLS] = {
                    "closed, its shells, and the same of each part, with its holes, bosses, fillets, flat faces, "
                    "symmetry and least wall. Beside a model, the scene {'distances': [['a', 'b']]} adds the distance "
                    "of the parts a and b, and whether they overlap; {'csg': {'intersection': ['a', 'b']}} has the "
-                   "volume that they share.",
+                   "volume that they share; {'sections': {'planes': [{'axis': 'z', 'offset': 1}]}} adds the area "
+                   "of the section.",
                    "",
                    {facts_keys, measured_keys, "}}"}},
     [MCP_PICK] = {"pick",

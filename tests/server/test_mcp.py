@@ -423,6 +423,9 @@ class Http(unittest.TestCase):
         for line in ("\n  holes: 1 x diameter 2, through, 2 deep", "\n  symmetry: mirror x = 0, y = 0, z = 1; turn ", "4-fold about (0, 0, 1) at (0, 0, 1)", "\n  least wall between parallel faces: 2 at ("):
             self.assertIn(line, text)
         self.assertNotIn("not searched", text)
+        result = self.call("facts", scene={"meshes": [mesh], "sections": {"planes": [{"axis": "z", "offset": 1}]}})
+        self.assertAlmostEqual(result["structuredContent"]["parts"][0]["capArea"], 100 - 18 * math.sin(math.radians(10)), 3)
+        self.assertIn("\n  area of the section: 96.874", texts(result)[0])
         row = [plate(12 * i, radius=1 + i / 16) for i in range(14)]
         places, before = [place for part in row for place in part["positions"]], len(mesh["positions"])
         row = {"positions": places, "faces": [[before * i + k for k in face] for i, part in enumerate(row) for face in part["faces"]]}
