@@ -25,7 +25,7 @@ static double longest_side_of(const cJSON *box)
     return fmax(side_of(box, 0), fmax(side_of(box, 1), side_of(box, 2)));
 }
 
-/* Writes size, area and volume of a model, so that it is clear which of two is larger. */
+/* Writes size, area, volume and tunnels of a model, so that it is clear which of two is larger. */
 static void describe_side(const cJSON *content, const char *name, struct mcp_text *words)
 {
     const cJSON *side = mcp_get(content, name), *box = mcp_get(side, "box");
@@ -34,6 +34,8 @@ static void describe_side(const cJSON *content, const char *name, struct mcp_tex
                    side_of(box, 2), mcp_number_of(side, "area"));
     if (mcp_get(side, "volume")) mcp_text_print(words, ", volume %.6g", mcp_number_of(side, "volume"));
     if (mcp_get(side, "volumeError")) mcp_text_print(words, " +- %.2g", mcp_number_of(side, "volumeError"));
+    const cJSON *tunnels = mcp_get(side, "handles");
+    if (tunnels) mcp_text_print(words, ", %.0f tunnel%s", tunnels->valuedouble, tunnels->valuedouble == 1 ? "" : "s");
     if (cJSON_IsFalse(mcp_get(side, "closed"))) mcp_text_put(words, ", not closed");
 }
 

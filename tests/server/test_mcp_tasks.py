@@ -284,7 +284,7 @@ QUESTIONS = (
     ("How far apart are two parts?", "facts", pair(12.5, {"distances": [["low", "high"]]}), ["\n- distance of 'low' and 'high': 2.5, from ("]),
     ("Do they overlap, and by how much?", "facts", pair(7.5, {"distances": [["low", "high"]], "csg": {"intersection": ["low", "high"]}}), [
         "\n- distance of 'low' and 'high': 0, they cross", "; solid combined by csg: volume 250 +- ", "; the box may be larger; "]),
-    ("Which of two parts is larger?", "compare", two(drilled(), drilled(height=9)), ["\n- a: box 40 x 40 x 6, area ", ", volume 9298.89\n", "\n- b: box 40 x 40 x 9, area ", ", volume 13948.3\n"]),
+    ("Which of two parts is larger?", "compare", two(drilled(), drilled(height=9)), ["\n- a: box 40 x 40 x 6, area ", ", volume 9298.89, 1 tunnel\n", "\n- b: box 40 x 40 x 9, area ", ", volume 13948.3, 1 tunnel\n"]),
     ("Which hole moved?", "compare", two(drilled(), drilled(x=5)), ["volume +0 %", "\n- hole moved: diameter 8, 6 deep, through, from (0, 0, 6) to (5, 0, 6)"]),
     ("Where is material missing, and how much?", "compare", two(drilled(), drilled(radius=5)), [
         "\n- hole changed: diameter 8 to 10, 6 deep, through", "\n- only in a: volume 169.", ", box 10 x 10 x 6 around (0, 0, 3)"]),
