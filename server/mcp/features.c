@@ -190,6 +190,8 @@ void mcp_features_describe(struct mcp_text *text, const cJSON *part)
     const cJSON *features = mcp_get(part, "features");
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         describe_list(text, &lists[i], mcp_get(features, lists[i].key));
+    if (mcp_get(features, "handles"))
+        mcp_text_print(text, "\n  tunnels, round or not: %.0f", mcp_number_of(features, "handles"));
     describe_cylinder(text, mcp_get(features, "boundingCylinder"));
     if (features) describe_symmetry(text, mcp_get(features, "symmetry"));
     describe_least_wall(text, part);

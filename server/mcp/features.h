@@ -1,4 +1,4 @@
-/* features.h - mcp: the features of a part in words: holes, bosses, symmetry, least wall, open loops. */
+/* features.h - mcp: the features of a part in words: holes, flat faces, symmetry, least wall and others. */
 #ifndef MCP_FEATURES_H
 #define MCP_FEATURES_H
 

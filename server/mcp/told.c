@@ -35,7 +35,8 @@ static void describe_side(const cJSON *content, const char *name, struct mcp_tex
     if (mcp_get(side, "volume")) mcp_text_print(words, ", volume %.6g", mcp_number_of(side, "volume"));
     if (mcp_get(side, "volumeError")) mcp_text_print(words, " +- %.2g", mcp_number_of(side, "volumeError"));
     const cJSON *tunnels = mcp_get(side, "handles");
-    if (tunnels) mcp_text_print(words, ", %.0f tunnel%s", tunnels->valuedouble, tunnels->valuedouble == 1 ? "" : "s");
+    if (tunnels && !mcp_get(side, "volumeError"))
+        mcp_text_print(words, ", %.0f tunnel%s", tunnels->valuedouble, tunnels->valuedouble == 1 ? "" : "s");
     if (cJSON_IsFalse(mcp_get(side, "closed"))) mcp_text_put(words, ", not closed");
 }
 

@@ -268,8 +268,9 @@ QUESTIONS = (
     ("Are the holes for screws countersunk?", "facts", of("countersunk_plate"), ["4 x diameter 4.3, through, 3.85 deep, countersink of diameter 8.6, 2.15 deep, 90 degrees"]),
     ("How are they arranged?", "facts", of("countersunk_plate"), [", in a grid of 2 x 2, pitch 20 x 36 around (30, 20, 6)"]),
     ("Does a pin of 3.2 go through a hole of 8 facets?", "facts", {"scene": {"polygons": prism(square(-9, -9, 9, 9), 0, 5, [ring(1.6, count=8)])}}, ["diameter 3.2 (2.9564 across its 8 flats)"]),
-    ("Has the enclosure round holes?", "facts", of("hollow_enclosure"), ["\n  holes: no round one was found"]),
-    ("Has the enclosure a void?", "facts", of("hollow_enclosure"), ["1 closed shell, 1 inward shell (a void"]),
+    ("How many holes go through, of any shape?", "facts", {"scene": {"polygons": prism(square(-9, -9, 9, 9), 0, 5, [ring(2), square(4, 4, 6, 6)])}}, [
+        "\n  holes: 1 x diameter 4, through", "\n  tunnels, round or not: 2\n"]),
+    ("Has the enclosure a void, or holes?", "facts", of("hollow_enclosure"), ["1 closed shell, 1 inward shell (a void", "\n  holes: no round one was found"]),
     ("Where is its least wall?", "facts", of("hollow_enclosure"), ["\n  least wall between parallel faces: 2.5 at ("]),
     ("About which planes is the plate symmetric?", "facts", of("countersunk_plate"), ["\n  symmetry: mirror x = 30, y = 20;"]),
     ("Which turns bring the gear onto itself?", "facts", of("gear_polygon"), [", 12-fold about (0, 0, 1) at (0, 0, 3)"]),

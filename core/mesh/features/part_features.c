@@ -154,6 +154,7 @@ static void find_rest(struct zr_arena *arena, struct zr_feature_work *work, cons
 {
     if (!zr_planes_find(arena, work, facets, &out->planes)) out->planes.count = 0;
     if (!zr_borders_find(arena, work, facets, &out->borders)) out->borders.count = 0;
+    out->tunnels = zr_tunnels_count(arena, work, facets);
     if (!zr_symmetry_begin(work, surface, &out->symmetry)) return;
     out->cylinder = zr_bounding_cylinder_find(work, surface, out->symmetry.directions, out->symmetry.direction_count);
     out->has_symmetry = zr_symmetry_find(arena, work, surface, &out->symmetry);
@@ -249,6 +250,7 @@ static enum zr_status find_of_part(const struct finding *f, struct zr_arena *are
         out->size = surface.size;
         out->steps_most = steps;
         find_of_surface(&scratch, f->run->team, f->run->cancel, &surface, steps, out);
+        out->tunnels.is_known = out->tunnels.is_known && !f->facts[number].has_overlap;
         place(out, origin);
         ok = keep(arena, &scratch, out);
     }

@@ -17,6 +17,7 @@
 #include "mesh/features/holes.h"
 #include "mesh/features/planes.h"
 #include "mesh/features/symmetry.h"
+#include "mesh/features/tunnels.h"
 
 /* Steps for all parts together, and for each of their triangles: for holes, and as many for the rest. */
 enum { ZR_FEATURE_FACES_MOST = 1 << 19, ZR_FEATURE_STEPS_MIN = 1 << 22, ZR_FEATURE_STEPS = 128 };
@@ -43,6 +44,7 @@ struct zr_part_features {
     struct zr_holes holes;
     struct zr_planes planes;
     struct zr_borders borders;
+    struct zr_tunnels tunnels; /* not known if shells overlap */
     struct zr_bounding_cylinder cylinder;
     bool has_symmetry; /* false: too much work */
     struct zr_symmetry symmetry;

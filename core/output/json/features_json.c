@@ -265,5 +265,6 @@ void zr_features_print(struct zr_print *print, const struct zr_part_features *fe
     print_borders(&p, &features->borders);
     print_cylinder(&p, &features->cylinder);
     if (features->has_symmetry) print_symmetry(&p, &features->symmetry);
+    if (features->tunnels.is_known) zr_print_count(print, "handles", features->tunnels.count);
     zr_print_end(print, '}');
 }

@@ -102,6 +102,7 @@ TEST_AROUND(a_box_has_six_planes_and_three_mirrors, open_arena, close_arena)
     assert_about(found->cylinder.height, 6);
     assert_about(found->cylinder.axis.z, 1);
     assert_int_equal(found->borders.count, 0);
+    assert_true(found->tunnels.is_known && found->tunnels.count == 0);
 }
 
 TEST_AROUND(holes_break_a_symmetry, open_arena, close_arena)
@@ -183,6 +184,22 @@ TEST_AROUND(a_tube_is_round, open_arena, close_arena)
     assert_about(found->cylinder.diameter, 10);
     assert_about(found->cylinder.height, 12);
     assert_about(found->cylinder.at.z, 0);
+    assert_true(found->tunnels.is_known && found->tunnels.count == 1);
+}
+
+TEST_AROUND(tunnels_are_counted_of_all_surfaces_that_do_not_overlap, open_arena, close_arena)
+{
+    const struct drill drills[] = {{-12, 7, 2, 0, 24, 0, 0, 0, 0, 0},
+                                   {12, 7, 2, 0, 4, 0, 0, 0, 0, 0}, /* square */
+                                   {0, -7, 2, 3, 24, 0, 0, 0, 0, 0} /* blind */};
+    plate_begin();
+    plate_drilled(40, 26, 6, drills, 3);
+    const struct zr_part_features *found = find(NULL, NULL);
+    assert_true(found->tunnels.is_known && found->tunnels.count == 2);
+    plate_begin();
+    plate_drilled(40, 26, 6, drills, 3);
+    plate_drilled(40, 26, 4, drills, 1); /* within the first one */
+    assert_false(find(NULL, NULL)->tunnels.is_known);
 }
 
 TEST_AROUND(open_parts_have_loops_with_places, open_arena, close_arena)
@@ -202,6 +219,7 @@ TEST_AROUND(open_parts_have_loops_with_places, open_arena, close_arena)
     assert_about(found->borders.at[1].center.z, 0);
     assert_true(found->borders.at[0].is_closed && found->borders.at[1].is_closed);
     assert_int_equal(found->holes.hole_count, 1);
+    assert_false(found->tunnels.is_known);
 }
 
 TEST_AROUND(holes_stay_holes_in_mirrored_and_inverted_parts, open_arena, close_arena)
