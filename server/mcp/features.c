@@ -73,8 +73,8 @@ static void describe_plane(struct mcp_text *text, const cJSON *plane)
                        mcp_number_at(normal, axis) * mcp_number_of(plane, "offset") + 0.0);
         return;
     }
-    mcp_text_print(text, "normal (%.4g, %.4g, %.4g) offset %.6g", mcp_number_at(normal, 0), mcp_number_at(normal, 1),
-                   mcp_number_at(normal, 2), mcp_number_of(plane, "offset"));
+    mcp_place_put(text, "normal ", normal, 4, 0);
+    mcp_text_print(text, " offset %.6g", mcp_number_of(plane, "offset"));
 }
 
 static void describe_radius(struct mcp_text *text, const cJSON *group)

@@ -326,6 +326,11 @@ class Tasks(unittest.TestCase):
         for (_, _, wanted), result in zip(rows, call_all([("compare", two(a, b)) for a, b, _ in rows])):
             self.assertRegex(result["content"][0]["text"], r"\n- hole changed: diameter 4, \d( to \d)? deep" + wanted)
 
+    def test_open_below(self):
+        """facts says that it is not known whether a hole of an open part goes through"""
+        result, = call_all([("facts", {"scene": {"polygons": TASKS["insert_boss"][0][1:]}})])
+        self.assertIn("\n  holes: 1 x diameter 4, not known if through, 8 deep, ", result["content"][0]["text"])
+
     def test_tasks(self):
         """facts agrees with the figures of 15 tasks"""
         answers = dict(zip(TASKS, call_all([("facts", of(name)) for name in TASKS])))
