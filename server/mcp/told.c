@@ -81,10 +81,19 @@ static void put_steps(struct mcp_text *words, const cJSON *hole)
     mcp_text_free(&now);
 }
 
+/* Returns the second place if it differs from the first one, else NULL. */
+static const cJSON *other_place(const cJSON *place, const cJSON *other, double zero)
+{
+    for (int i = 0; other && i < 3; i++)
+        if (fabs(mcp_number_at(place, i) - mcp_number_at(other, i)) > zero) return other;
+    return NULL;
+}
+
 static void describe_hole(const cJSON *hole, double size, struct mcp_text *words)
 {
-    const cJSON *through = mcp_get(hole, "through"), *now = mcp_get(hole, "newThrough"), *at = mcp_get(hole, "newAt");
     const double zero = PLACE_ZERO * size;
+    const cJSON *through = mcp_get(hole, "through"), *now = mcp_get(hole, "newThrough"),
+                *to = other_place(mcp_get(hole, "at"), mcp_get(hole, "newAt"), zero);
     mcp_text_put(words, "diameter ");
     put_length(words, hole, "diameter", "newDiameter");
     mcp_text_put(words, ", ");
@@ -94,8 +103,8 @@ static void describe_hole(const cJSON *hole, double size, struct mcp_text *words
     if (now && through && cJSON_IsTrue(now) != cJSON_IsTrue(through))
         mcp_text_put(words, cJSON_IsTrue(now) ? " to through" : " to blind");
     put_steps(words, hole);
-    mcp_place_put(words, at ? ", from " : ", at ", mcp_get(hole, "at"), 6, zero);
-    mcp_place_put(words, " to ", at, 6, zero);
+    mcp_place_put(words, to ? ", from " : ", at ", mcp_get(hole, "at"), 6, zero);
+    mcp_place_put(words, " to ", to, 6, zero);
 }
 
 static void describe_part(const cJSON *part, double size, struct mcp_text *words)

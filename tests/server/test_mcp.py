@@ -447,7 +447,7 @@ class Http(unittest.TestCase):
         result = compare(plate(), plate(hole=1))
         self.assertIn("\n- hole moved: diameter 2, 2 deep, through, from (0, 0, 2) to (1, 0, 2)", texts(result)[0])
         self.assertEqual(len(result["structuredContent"]["features"]["holes"]["moved"]), 1)
-        self.assertIn("\n- hole changed: diameter 2 to 3, 2 deep, through, from (0, 0, 2)", texts(compare(plate(), plate(radius=1.5)))[0])
+        self.assertIn("\n- hole changed: diameter 2 to 3, 2 deep, through, at (0, 0, 2)", texts(compare(plate(), plate(radius=1.5)))[0])
         block = {"positions": [[-5, -5, 0], [5, -5, 0], [5, 5, 0], [-5, 5, 0], [-5, -5, 2], [5, -5, 2], [5, 5, 2], [-5, 5, 2]],
                  "faces": [[3, 2, 1, 0], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]}
         self.assertIn("\n- hole removed: diameter 2, 2 deep, through, at (0, 0, 2)", texts(compare(plate(), block))[0])

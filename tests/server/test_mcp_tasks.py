@@ -321,8 +321,8 @@ class Tasks(unittest.TestCase):
         """compare names the old and the new counterbore or countersink of a hole"""
         plain, bored, wide, sunk = (drilled(radius=2, profile=p) for p in ((), [(2, 4), (4, 4), (4, 6)], [(2, 4), (5, 4), (5, 6)], [(2, 4), (4, 6)]))
         step = ", through, step of diameter 8, 2 deep, "
-        rows = ((bored, wide, step + "now step of diameter 10, 2 deep, from"), (bored, sunk, step + "now countersink of diameter 8, 2 deep, 90 degrees, from"),
-                (bored, plain, step + "now no step, from"), (plain, bored, ", through, now step of diameter 8, 2 deep, from"))
+        rows = ((bored, wide, step + "now step of diameter 10, 2 deep, at"), (bored, sunk, step + "now countersink of diameter 8, 2 deep, 90 degrees, at"),
+                (bored, plain, step + "now no step, at"), (plain, bored, ", through, now step of diameter 8, 2 deep, at"))
         for (_, _, wanted), result in zip(rows, call_all([("compare", two(a, b)) for a, b, _ in rows])):
             self.assertRegex(result["content"][0]["text"], r"\n- hole changed: diameter 4, \d( to \d)? deep" + wanted)
 
