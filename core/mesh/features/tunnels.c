@@ -1,9 +1,11 @@
 #include "mesh/features/tunnels.h"
 
-/* Finds the triangles that are connected with the first one of `stack`. False if an edge there has not two triangles. */
-static bool flood(const struct zr_facets *facets, bool *is_found, uint32_t *stack)
+/* Finds the triangles that are connected with the first one of `stack`. False if an edge there has not two triangles, or
+ * no step is left. */
+static bool flood(struct zr_feature_work *work, const struct zr_facets *facets, bool *is_found, uint32_t *stack)
 {
     for (uint32_t count = 1; count > 0;) {
+        if (!zr_feature_has_steps(work, 1)) return false;
         const uint32_t *neighbours = facets->neighbours[stack[--count]];
         for (int k = 0; k < 3; k++) {
             if (neighbours[k] == ZR_NO_FACET) return false;
@@ -22,13 +24,13 @@ struct zr_tunnels zr_tunnels_count(struct zr_arena *arena, struct zr_feature_wor
     struct zr_arena scratch = zr_arena_open_scratch(arena);
     uint32_t *stack = zr_arena_alloc(&scratch, triangles, sizeof *stack), pieces = 0;
     bool *is_found = zr_arena_zero(&scratch, triangles, sizeof *is_found);
-    bool is_closed = zr_arena_ok(&scratch) && triangles > 0 && zr_feature_has_steps(work, triangles / 4);
+    bool is_closed = zr_arena_ok(&scratch) && triangles > 0;
     for (uint32_t t = 0; t < triangles && is_closed; t++) {
         if (is_found[t]) continue;
         is_found[t] = true;
         stack[0] = t;
         pieces++;
-        is_closed = flood(facets, is_found, stack);
+        is_closed = flood(work, facets, is_found, stack);
     }
     zr_arena_close_scratch(&scratch, arena);
     const int64_t euler = (int64_t)surface->place_count - triangles / 2, twice = 2 * (int64_t)pieces - euler;
