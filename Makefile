@@ -419,7 +419,7 @@ cross: ## the renderer built for arm64 and run under qemu, and as WebAssembly in
 	@$(MAKE) -s cross-arm cross_wasm="node tests/cross/wasi.mjs $(BUILD)/wasm/simd/zraster-cross"
 
 .PHONY: cross-arm
-cross-arm: ## the same without WebAssembly
+cross-arm: ## the same without WebAssembly; CROSS_THREADS=2: that number of threads alone under qemu
 	@.ci/need cc=gcc stdlib.h=libc6-dev $(NEED_CROSS)
 	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/arm64 SAN= CC="$(CROSS_CC)" CFLAGS=-O2 LDFLAGS=-static isas="$(isas_aarch64)" \
 		$(BUILD)/arm64/zraster-cross
@@ -427,7 +427,7 @@ cross-arm: ## the same without WebAssembly
 
 .PHONY: compare-cross
 compare-cross: $(BUILD)/zraster-cross
-	@tests/cross/compare.sh $< "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)" $(if $(cross_wasm),"$(cross_wasm)" wasm)
+	@tests/cross/compare.sh $< "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross $(CROSS_THREADS)" "$(isas_aarch64)" $(if $(cross_wasm),"$(cross_wasm)" wasm)
 
 .PHONY: same
 same: ## all answers of this build and of another, byte by byte: AGAINST=DIR (its build), SAME=quick, EXPECTED=FILE

@@ -42,7 +42,7 @@ function setKey(keys, row, name, value) {
 }
 
 function sizeOf(size, given) {
-  const sides = [size].flat(), [width, height = width] = sides;
+  const sides = ArrayBuffer.isView(size) ? [...size] : [size].flat(), [width, height = width] = sides;
   if (!sides.length || sides.length > 2 || 'width' in given || 'height' in given)
     throw new ZrasterError('bad-request', 'size: a number, or a width and a height, without width and height beside it');
   return { width, height };

@@ -13,12 +13,21 @@ const TYPES = new Map([[Float32Array, 1], [Float64Array, 2], [Uint8Array, 3], [I
 /* Sizes of structs of zraster.h in 32 bits. */
 const OPTIONS_SIZE = 48, REQUEST_SIZE = 40, PART_SIZE = 36, BYTES_SIZE = 12, ARRAY_SIZE = 28;
 
+/* Numbers that JSON does not have: those of typed arrays, and long ones. */
+const isOwn = value => typeof value === 'bigint' || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+const hasOwn = value => isOwn(value) || (value !== null && typeof value === 'object' && Object.values(value).some(hasOwn));
+/* A Buffer has a form of its own in JSON, so the value is taken from its object. */
+function plain(key) {
+  const value = this[key];
+  return !isOwn(value) ? arguments[1] : typeof value === 'bigint' ? Number(value) : Array.from(value, Number);
+}
+
 function bytesOf(value) {
   if (typeof value === 'string') return utf8.encode(value);
   if (value instanceof ArrayBuffer) return new Uint8Array(value);
   if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
   if (value?.then || value?.arrayBuffer) throw new ZrasterError('bad-request', 'the body is a promise, a Blob or a Response: await its bytes');
-  return utf8.encode(JSON.stringify(value, (_, part) => (TYPES.has(part?.constructor) ? Array.from(part, Number) : part)));
+  return utf8.encode(hasOwn(value) ? JSON.stringify(value, plain) : JSON.stringify(value));
 }
 
 const isDocument = value => value !== null && typeof value === 'object' && !(value instanceof ArrayBuffer) && !ArrayBuffer.isView(value);

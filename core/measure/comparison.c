@@ -9,8 +9,9 @@
 
 enum { QUICK_RAYS = 128, QUICK_POINTS = 10000 };
 
-/* Areas of a turned model differ by at most this share. */
-#define TURNED 0.05
+/* Areas of a model that is moved differ by at most this share; with other holes, by at most that. */
+#define SAME_AREA 1e-3
+#define NEAR_AREA 0.05
 
 /* Boxes that differ by more than this share of the diagonal are in other places, or of another size. */
 #define ELSEWHERE 1e-3
@@ -71,18 +72,22 @@ static bool is_elsewhere(const struct zr_comparison *c)
     return false;
 }
 
-/* Warns if b seems to be turned or shifted: it has as much area, but no hole of a, or all of them elsewhere. */
-static void warn_of_turn(const struct zr_run *run, struct zr_comparison *c)
+/* Warns if b seems to be a itself, moved: it has the area of a in another place, or nearly, and no hole of a. */
+static void warn_of_motion(const struct zr_run *run, struct zr_comparison *c)
 {
+    const double change = fabs(c->a.area - c->b.area);
     bool has[ZR_HOLE_CHANGE_KINDS] = {false};
     for (uint32_t i = 0; i < c->holes.count; i++)
         has[c->holes.at[i].kind] = true;
-    if (c->align != ZR_ALIGN_NONE || c->holes.equal > 0 || has[ZR_HOLE_CHANGED]) return;
-    if (has[ZR_HOLE_MOVED] ? !is_elsewhere(c) : !has[ZR_HOLE_REMOVED] || !has[ZR_HOLE_ADDED]) return;
-    if (fabs(c->a.area - c->b.area) > TURNED * c->a.area) return;
-    zr_warning_list_add(run->arena, &c->warnings,
-                        "no hole of a is at its place in b, but their areas are nearly the same: align=principal moves "
-                        "b if it fits");
+    if (c->align != ZR_ALIGN_NONE) return;
+    if (is_elsewhere(c) && change <= SAME_AREA * c->a.area)
+        zr_warning_list_add(run->arena, &c->warnings,
+                            "b has the area of a, but lies elsewhere: align=principal moves it if it fits");
+    else if (c->holes.equal == 0 && !has[ZR_HOLE_MOVED] && !has[ZR_HOLE_CHANGED] && has[ZR_HOLE_REMOVED] &&
+             has[ZR_HOLE_ADDED] && change <= NEAR_AREA * c->a.area)
+        zr_warning_list_add(
+            run->arena, &c->warnings,
+            "a and b have no hole in common, but nearly the same area: align=principal turns b if it fits");
 }
 
 static void warn(const struct zr_run *run, const struct zr_comparison_options *options, struct zr_comparison *c)
@@ -104,13 +109,12 @@ static void warn(const struct zr_run *run, const struct zr_comparison_options *o
                                 sides[i]);
     }
     warn_of_alignment(run, c);
-    warn_of_turn(run, c);
+    warn_of_motion(run, c);
     if (!c->has_deviation && !options->has_no_deviation)
         zr_warning_list_add(run->arena, &c->warnings,
                             "distances are left out: too many triangles overlap to search them");
     if (c->holes.is_omitted && !options->has_no_features)
-        zr_warning_list_add(run->arena, &c->warnings,
-                            "holes are left out: their search takes too much work or memory");
+        zr_warning_list_add(run->arena, &c->warnings, "holes are left out: their search takes too much work or memory");
 }
 
 static void find_distances(struct zr_comparison *c)

@@ -102,7 +102,8 @@ static void add_combined(cJSON *content, const cJSON *info)
     }
 }
 
-/* Adds the centre of mass of the parts that are shown, which are closed. */
+/* Adds the centre of mass of the parts that are shown, which are closed. Parts that are inside out beside others have
+ * none in common. */
 static void add_center(cJSON *content, const cJSON *parts, double volume)
 {
     const cJSON *part;
@@ -111,7 +112,7 @@ static void add_center(cJSON *content, const cJSON *parts, double volume)
     {
         const cJSON *center = mcp_get(part, "centerOfMass");
         if (cJSON_IsTrue(mcp_get(part, "hidden"))) continue;
-        if (!cJSON_IsArray(center)) return;
+        if (!cJSON_IsArray(center) || mcp_number_of(part, "volume") * volume < 0) return;
         for (int i = 0; i < 3; i++)
             moment[i] += mcp_number_of(part, "volume") * mcp_number_at(center, i);
     }
@@ -270,13 +271,17 @@ const char *mcp_facts_unit(const cJSON *content)
 static void describe_box(struct mcp_text *text, const cJSON *box, const char *unit)
 {
     const cJSON *min = mcp_get(box, "min"), *max = mcp_get(box, "max"), *size = mcp_get(box, "size");
+    const int digits = MCP_PLACE_DIGITS + text->more_digits;
     if (!min) {
         mcp_text_put(text, "no box");
         return;
     }
-    mcp_text_print(text, "box %.6g x %.6g x %.6g %s (x %.6g..%.6g, y %.6g..%.6g, z %.6g..%.6g)", mcp_number_at(size, 0),
-                   mcp_number_at(size, 1), mcp_number_at(size, 2), unit, mcp_number_at(min, 0), mcp_number_at(max, 0),
-                   mcp_number_at(min, 1), mcp_number_at(max, 1), mcp_number_at(min, 2), mcp_number_at(max, 2));
+    mcp_text_print(text, "box %.6g x %.6g x %.6g %s", mcp_number_at(size, 0), mcp_number_at(size, 1),
+                   mcp_number_at(size, 2), unit);
+    for (int i = 0; i < 3; i++)
+        mcp_text_print(text, "%s%c %.*g..%.*g", i == 0 ? " (" : ", ", "xyz"[i], digits, mcp_number_at(min, i), digits,
+                       mcp_number_at(max, i));
+    mcp_text_put(text, ")");
 }
 
 /* Writes the number of shells of each kind. A single shell is left out: it is closed or open as the part is. */
@@ -372,6 +377,7 @@ void mcp_facts_describe(struct mcp_text *text, const cJSON *content)
     const cJSON *volume = mcp_get(content, "volume"), *area = mcp_get(content, "area"),
                 *parts = mcp_get(content, "parts"), *part, *warning;
     int described = 0;
+    mcp_place_set_digits(text, mcp_get(content, "box"));
     describe_box(text, mcp_get(content, "box"), unit);
     if (cJSON_IsNumber(area)) mcp_text_print(text, "; area %.6g %s^2", area->valuedouble, unit);
     const bool is_combined = mcp_get(content, "csg");

@@ -15,12 +15,14 @@ static void describe_pattern(struct mcp_text *text, const cJSON *pattern)
 {
     const cJSON *counts = mcp_get(pattern, "counts"), *pitch = mcp_get(pattern, "pitch");
     if (!pattern) return;
-    if (counts)
+    if (counts && mcp_number_at(counts, 1) == 1)
+        mcp_text_print(text, ", in a row of %.0f, pitch %.5g", mcp_number_at(counts, 0), mcp_number_at(pitch, 0));
+    else if (counts)
         mcp_text_print(text, ", in a grid of %.0f x %.0f, pitch %.5g x %.5g", mcp_number_at(counts, 0),
                        mcp_number_at(counts, 1), mcp_number_at(pitch, 0), mcp_number_at(pitch, 1));
     else
         mcp_text_print(text, ", in a circle of diameter %.5g", mcp_number_of(pattern, "diameter"));
-    mcp_place_put(text, " around ", mcp_get(pattern, "center"), 6, 0);
+    mcp_place_put(text, " around ", mcp_get(pattern, "center"), MCP_PLACE_DIGITS, 0);
 }
 
 void mcp_features_describe_steps(struct mcp_text *text, const cJSON *steps)
@@ -53,11 +55,11 @@ static void describe_group(struct mcp_text *text, const cJSON *group)
     else
         mcp_text_print(text, ", %.5g high", mcp_number_of(group, "height"));
     mcp_features_describe_steps(text, mcp_get(group, "steps"));
-    mcp_place_put(text, ", along ", mcp_get(group, "axis"), 4, 0);
+    mcp_place_put(text, ", along ", mcp_get(group, "axis"), MCP_DIRECTION_DIGITS, 0);
     describe_pattern(text, mcp_get(group, "pattern"));
     cJSON_ArrayForEach(place, mcp_get(group, "at"))
     {
-        if (places < PLACES_DESCRIBED) mcp_place_put(text, places == 0 ? ", at " : ", ", place, 6, 0);
+        if (places < PLACES_DESCRIBED) mcp_place_put(text, places == 0 ? ", at " : ", ", place, MCP_PLACE_DIGITS, 0);
         places++;
     }
     if (places > PLACES_DESCRIBED) mcp_text_print(text, " and %d more places", places - PLACES_DESCRIBED);
@@ -69,12 +71,12 @@ static void describe_plane(struct mcp_text *text, const cJSON *plane)
     const cJSON *normal = mcp_get(plane, "normal");
     for (int axis = 0; axis < 3; axis++) {
         if (fabs(mcp_number_at(normal, axis)) != 1) continue;
-        mcp_text_print(text, "%c = %.6g", "xyz"[axis],
+        mcp_text_print(text, "%c = %.*g", "xyz"[axis], MCP_PLACE_DIGITS + text->more_digits,
                        mcp_number_at(normal, axis) * mcp_number_of(plane, "offset") + 0.0);
         return;
     }
-    mcp_place_put(text, "normal ", normal, 4, 0);
-    mcp_text_print(text, " offset %.6g", mcp_number_of(plane, "offset"));
+    mcp_place_put(text, "normal ", normal, MCP_DIRECTION_DIGITS, 0);
+    mcp_text_print(text, " offset %.*g", MCP_PLACE_DIGITS + text->more_digits, mcp_number_of(plane, "offset"));
 }
 
 static void describe_radius(struct mcp_text *text, const cJSON *group)
@@ -146,13 +148,13 @@ static void describe_symmetry(struct mcp_text *text, const cJSON *symmetry)
             mcp_text_print(text, "%.0f-fold", order->valuedouble);
         else
             mcp_text_put(text, "round");
-        mcp_place_put(text, " about ", mcp_get(item, "axis"), 4, 0);
+        mcp_place_put(text, " about ", mcp_get(item, "axis"), MCP_DIRECTION_DIGITS, 0);
     }
     if (turn_count > TURNS_DESCRIBED) mcp_text_print(text, " and %d more", turn_count - TURNS_DESCRIBED);
     if (turn_count == 0)
         mcp_text_put(text, "; no turn");
     else
-        mcp_place_put(text, " at ", mcp_get(cJSON_GetArrayItem(turns, 0), "at"), 6, 0);
+        mcp_place_put(text, " at ", mcp_get(cJSON_GetArrayItem(turns, 0), "at"), MCP_PLACE_DIGITS, 0);
 }
 
 /* Writes the smallest cylinder that holds the part, such as the diameter of a gear over its teeth. */
@@ -161,7 +163,7 @@ static void describe_cylinder(struct mcp_text *text, const cJSON *cylinder)
     if (!cylinder) return;
     mcp_text_print(text, "\n  bounding cylinder: diameter %.6g, %.6g high", mcp_number_of(cylinder, "diameter"),
                    mcp_number_of(cylinder, "height"));
-    mcp_place_put(text, ", along ", mcp_get(cylinder, "axis"), 4, 0);
+    mcp_place_put(text, ", along ", mcp_get(cylinder, "axis"), MCP_DIRECTION_DIGITS, 0);
 }
 
 static void describe_least_wall(struct mcp_text *text, const cJSON *part)
@@ -169,7 +171,7 @@ static void describe_least_wall(struct mcp_text *text, const cJSON *part)
     const cJSON *wall = mcp_get(part, "leastWall");
     if (cJSON_IsNumber(wall)) {
         mcp_text_print(text, "\n  least wall between parallel faces: %.5g", wall->valuedouble);
-        mcp_place_put(text, " at ", mcp_get(part, "leastWallAt"), 6, 0);
+        mcp_place_put(text, " at ", mcp_get(part, "leastWallAt"), MCP_PLACE_DIGITS, 0);
     } else if (cJSON_IsTrue(mcp_get(part, "leastWallOmitted")))
         mcp_text_put(text, "\n  least wall between parallel faces: not searched, too much work or memory");
 }
@@ -182,7 +184,7 @@ static void describe_open_loops(struct mcp_text *text, const cJSON *features)
     if (!first) return;
     mcp_text_print(text, "\n  open loops: %.0f, %s %.0f edges, length %.5g", count, count > 1 ? "the longest of" : "of",
                    mcp_number_of(first, "edges"), mcp_number_of(first, "length"));
-    mcp_place_put(text, ", around ", mcp_get(first, "center"), 6, 0);
+    mcp_place_put(text, ", around ", mcp_get(first, "center"), MCP_PLACE_DIGITS, 0);
 }
 
 void mcp_features_describe(struct mcp_text *text, const cJSON *part)
@@ -193,7 +195,7 @@ void mcp_features_describe(struct mcp_text *text, const cJSON *part)
     if (mcp_get(features, "handles"))
         mcp_text_print(text, "\n  tunnels, round or not: %.0f", mcp_number_of(features, "handles"));
     describe_cylinder(text, mcp_get(features, "boundingCylinder"));
-    if (features) describe_symmetry(text, mcp_get(features, "symmetry"));
+    if (features && mcp_number_of(part, "area") > 0) describe_symmetry(text, mcp_get(features, "symmetry"));
     describe_least_wall(text, part);
     if (mcp_get(part, "capArea")) mcp_text_print(text, "\n  area of the section: %.6g", mcp_number_of(part, "capArea"));
     describe_open_loops(text, features);

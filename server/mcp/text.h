@@ -10,6 +10,7 @@ struct mcp_text {
     char *data; /* malloc'd, with a final zero; NULL while empty */
     size_t size, room;
     bool failed;
+    int more_digits; /* of places (place.h) */
 };
 
 void mcp_text_add(struct mcp_text *text, const void *bytes, size_t size);

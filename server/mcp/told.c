@@ -8,7 +8,9 @@
 #include "place.h"
 #include "tree.h"
 
-enum { LISTED_MAX = 8 };
+enum { LISTED_MAX = 8, REGION_DIGITS = 5 };
+
+static const double PI = 3.14159265358979323846;
 
 /* Coordinates up to this share of a length are rounding errors: of a region, and of the model. */
 #define REGION_ZERO 1e-4
@@ -47,14 +49,15 @@ static void describe_regions(const cJSON *content, struct mcp_text *words)
     cJSON_ArrayForEach(region, mcp_get(content, "regions"))
     {
         const cJSON *in = mcp_get(region, "in"), *box = mcp_get(region, "box");
-        if (!cJSON_IsString(in) || listed++ == LISTED_MAX) break;
+        if (!cJSON_IsString(in) || listed++ >= LISTED_MAX) continue;
         mcp_text_print(words, "\n- only in %s", in->valuestring);
         if (mcp_get(region, "part")) mcp_text_put(words, ", part ");
         if (mcp_get(region, "part")) mcp_name_put(words, mcp_get(region, "part"));
         mcp_text_print(words, ": volume %.4g, box %.3g x %.3g x %.3g", mcp_number_of(region, "volume"), side_of(box, 0),
                        side_of(box, 1), side_of(box, 2));
-        mcp_place_put(words, " around ", mcp_get(region, "center"), 4, REGION_ZERO * longest_side_of(box));
+        mcp_place_put(words, " around ", mcp_get(region, "center"), REGION_DIGITS, REGION_ZERO * longest_side_of(box));
     }
+    if (listed > LISTED_MAX) mcp_text_print(words, "\n- and %d more regions", listed - LISTED_MAX);
 }
 
 /* Writes a length, and the new one if it differs. */
@@ -132,13 +135,34 @@ static void describe_changes(const cJSON *lists, const char *what,
     if (count > LISTED_MAX) mcp_text_print(words, "\n- and %d more %ss", count - LISTED_MAX, what);
 }
 
+/* Writes how b was moved before it was compared. */
+static void describe_alignment(const cJSON *alignment, double size, struct mcp_text *words)
+{
+    const cJSON *matrix = mcp_get(alignment, "matrix");
+    const double trace = mcp_number_at(matrix, 0) + mcp_number_at(matrix, 5) + mcp_number_at(matrix, 10);
+    const double scale = mcp_get(alignment, "scale") ? mcp_number_of(alignment, "scale") : 1;
+    const double angle = acos(fmax(-1, fmin(1, 0.5 * (trace - 1)))) * 180 / PI;
+    if (!matrix) return;
+    mcp_text_put(words, "\n- before that, b was moved to fit a:");
+    if (scale != 1) mcp_text_print(words, " scaled by %.6g,", scale);
+    if (angle > 1e-3) mcp_text_print(words, " turned by %.4g degrees,", angle);
+    cJSON *shift = cJSON_CreateArray();
+    for (int i = 12; i < 15; i++)
+        mcp_append(shift, cJSON_CreateNumber(mcp_number_at(matrix, i)));
+    mcp_place_put(words, " then shifted by ", shift, MCP_PLACE_DIGITS, PLACE_ZERO * size);
+    cJSON_Delete(shift);
+}
+
 static void describe(const cJSON *content, struct mcp_text *words)
 {
     const cJSON *summary = mcp_get(content, "summary"), *warning;
     if (cJSON_IsString(summary)) mcp_text_put(words, summary->valuestring);
     describe_side(content, "a", words);
     describe_side(content, "b", words);
-    const double size = longest_side_of(mcp_get(mcp_get(content, "a"), "box"));
+    const cJSON *box = mcp_get(mcp_get(content, "a"), "box");
+    const double size = longest_side_of(box);
+    describe_alignment(mcp_get(content, "alignment"), size, words);
+    mcp_place_set_digits(words, box);
     describe_changes(mcp_get(content, "parts"), "part", describe_part, size, words);
     describe_changes(mcp_get(mcp_get(content, "features"), "holes"), "hole", describe_hole, size, words);
     describe_regions(content, words);

@@ -74,8 +74,9 @@ static bool draw_all(struct zr_arena *arena, struct zr_team *team)
     return true;
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    const int only = argc > 1 ? atoi(argv[1]) : 0;
 #ifdef __wasm__
     static const int threads[] = {1}; /* a module has no more */
 #else
@@ -91,6 +92,7 @@ int main(void)
         ok = simd_check(isa, 1, message, sizeof message);
         if (!ok) fprintf(stderr, "zraster-cross: %s\n", message);
         for (size_t t = 0; ok && t < sizeof threads / sizeof *threads; t++) {
+            if (only && threads[t] != only) continue;
             struct zr_team *team = zr_team_create_for(threads[t], isa);
             ok = draw_all(&arena, team);
             zr_team_destroy(team);

@@ -293,7 +293,7 @@ QUESTIONS = (
     ("Is it the same part in other units?", "compare", two(drilled(), moved(drilled(), lambda p: [25.4 * c for c in p])), ["\nwarning: b is 25.4 times as large as a, as if one had other units: inches and millimetres"]),
     ("Is it the left-hand version?", "compare", two(LEFT, RIGHT, align="principal"), ["\nwarning: a mirror image of b fits a much better than b does"]),
     ("Is it the same part, elsewhere?", "compare", two(drilled(x=5), moved(drilled(x=5), lambda p: [100 - p[1], p[0], p[2]])), [
-        "\nwarning: no hole of a is at its place in b, but their areas are nearly the same: align=principal moves b if it fits"]),
+        "\nwarning: b has the area of a, but lies elsewhere: align=principal moves it if it fits"]),
     ("Which surface is at a pixel, and what is behind it?", "pick", top(), [
         "\n- part 'part', face ", ", front side, visible\n- part 'part', face ", ", back side, hidden\nvisible surface, plane, normal (0, 0, 1)"]),
     ("How far apart are two faces, and at which angle?", "pick", top(views=["isometric"], x=140, y=100, toX=140, toY=130), ["\nto the other pixel: distance 11.6575, offset (7.8075, -7.8075, -3.73957), along the first normal -3.73957, angle of the normals 90 degrees"]),
@@ -325,6 +325,28 @@ class Tasks(unittest.TestCase):
                 (bored, plain, step + "now no step, at"), (plain, bored, ", through, now step of diameter 8, 2 deep, at"))
         for (_, _, wanted), result in zip(rows, call_all([("compare", two(a, b)) for a, b, _ in rows])):
             self.assertRegex(result["content"][0]["text"], r"\n- hole changed: diameter 4, \d( to \d)? deep" + wanted)
+
+    def test_words(self):
+        """texts have what is there and no more: steps of one hole, tunnels of shells that touch, far places, motions, rows, parts inside out"""
+        cube = prism(square(0, 0, 10, 10), 0, 10)
+        stepped = drilled(radius=2, height=5, profile=[(2, 3), (3, 3), (3, 4), (4.5, 4), (4.5, 5)])
+        touching = [face for i in range(3) for face in shifted(cube, 10 * i, 10 * i, 10 * i)]
+        row = prism(square(0, 0, 60, 20), 0, 5, [ring(3, (x, 10)) for x in (10, 25, 40)])
+        inverted = [{"vertices": face["vertices"][::-1]} for face in wall(square(0, 0, 10, 10), 0, square(0, 0, 10, 10), 10)] + [
+            {"vertices": [[x, y, z] for x, y in square(0, 0, 10, 10)[::1 if z == 0 else -1]]} for z in (0, 10)]
+        rows = (
+            ("facts", {"model": obj(part=stepped), "scene": {}}, r"\n  holes: 1 x diameter 4, through, 3 deep, step of diameter 9, 1 deep, step of diameter 6, 1 deep, along [^;]*\n"),
+            ("facts", {"model": obj(part=touching), "scene": {}}, r"\n  tunnels, round or not: 0\n"),
+            ("facts", {"scene": {"polygons": row}}, r", in a row of 3, pitch 15 around"),
+            ("facts", {"model": obj(good=cube, bad=shifted(inverted, x=100)), "scene": {}}, r"^box 110 x 10 x 10 units \([^)]*\); area [^;]*; closed, volume [-0-9.e]+ units\^3;"),
+            ("facts", {"model": obj(part=shifted(cube, x=1e6)), "scene": {}}, r"\(x 1000000\.\.1000010, y 0\.\.10, "),
+            ("compare", two(shifted(drilled(), x=1e6), shifted(drilled(x=5), x=1e6)), r"from \(1000000[.0-9]*, 0, 6\) to \(1000005[.0-9]*, 0, 6\)"),
+            ("compare", two(cube, shifted(cube, x=100)), r"\nwarning: b has the area of a, but lies elsewhere: align=principal "),
+            ("compare", two(LEFT, shifted(LEFT, x=100), align="principal"), r"\n- before that, b was moved to fit a: then shifted by \(-100, 0, 0\)$"),
+        )
+        for (_, _, wanted), result in zip(rows, call_all([row[:2] for row in rows])):
+            with self.subTest(wanted):
+                self.assertRegex(result["content"][0]["text"], wanted)
 
     def test_open_below(self):
         """facts says that it is not known whether a hole of an open part goes through"""

@@ -26,7 +26,9 @@ await test('a scene draws as its text does', () => {
 await test('lists of numbers in a scene may be typed arrays', () => {
   const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
   const draw = vertices => z.draw({ polygons: [{ vertices }] }, { size: 40 }).encode().bytes;
-  sameBytes(draw(corners), draw(corners.map(corner => new Float32Array(corner))));
+  for (const made of [corner => new Float32Array(corner), corner => new Uint16Array(corner), corner => Buffer.from(corner), corner => corner.map(BigInt)])
+    sameBytes(draw(corners), draw(corners.map(made)));
+  sameBytes(draw(corners), z.draw({ polygons: [{ vertices: corners }] }, { size: new Uint32Array([40, 40]) }).encode().bytes);
   assert.throws(() => draw(new Float64Array(corners.flat())), { message: /^\/polygons\/0\/vertices\/0: expected a list of numbers, found a number\n/ });
 });
 await test('what is no option, body or scene is refused', async () => {

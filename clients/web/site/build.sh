@@ -13,7 +13,7 @@ server/page/page.sh "$work" site
 sed "s|<meta charset=\"utf-8\">|&<meta http-equiv=\"Content-Security-Policy\" content=\"$(cat "$work/policy")\">|" "$work/page" >"$out/index.html"
 
 # The scripts of the renderer, without those for Node.
-esbuild --log-level=warning --bundle --splitting --format=esm --minify --out-extension:.js=.mjs --outdir="$out/engine" \
+esbuild --log-level=warning --bundle --splitting --format=esm --minify --keep-names --out-extension:.js=.mjs --outdir="$out/engine" \
     "$package/browser.mjs" "$package/worker.mjs" "$package/worker_thread.mjs"
 cp "$package/zraster.wasm" "$package/zraster-scalar.wasm" "$package/LICENCES.txt" "$out/engine"
 

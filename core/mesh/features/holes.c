@@ -60,12 +60,12 @@ static bool look_at_ends(struct zr_arena *scratch, const struct finding *f)
     return true;
 }
 
-/* Links two holes if they are coaxial and an end of one meets an end of the other. */
-static void link(const struct finding *f, uint32_t i, uint32_t k)
+/* Links two holes if they are coaxial and an end of one meets an end of the other, or with a cone between them. */
+static void link(const struct finding *f, uint32_t i, uint32_t k, bool has_cone)
 {
     struct round *a = &f->rounds[i], *b = &f->rounds[k];
     const double size = f->facets->surface->size, ra = a->cylinder->frame.radius, rb = b->cylinder->frame.radius;
-    const double most = TOUCH * size + CONE * fabs(ra - rb);
+    const double most = TOUCH * size + (has_cone ? CONE * fabs(ra - rb) : 0.0);
     double range[2];
     if (!zr_cylinders_share_axis(a->cylinder, b->cylinder,
                                  zr_most_of(OFF_AXIS * zr_least_of(ra, rb), OFF_AXIS_SIZE * size)))
@@ -84,13 +84,14 @@ static void link(const struct finding *f, uint32_t i, uint32_t k)
 
 static bool link_holes(const struct finding *f)
 {
-    for (uint32_t i = 0; i < f->count; i++) {
-        if (!is_hole(&f->rounds[i])) continue;
-        for (uint32_t k = i + 1; k < f->count; k++) {
-            if (!zr_feature_has_steps(f->work, 1)) return false;
-            if (is_hole(&f->rounds[k])) link(f, i, k);
+    for (int has_cone = 0; has_cone < 2; has_cone++) /* those that meet come first: a step may be as short as a cone */
+        for (uint32_t i = 0; i < f->count; i++) {
+            if (!is_hole(&f->rounds[i])) continue;
+            for (uint32_t k = i + 1; k < f->count; k++) {
+                if (!zr_feature_has_steps(f->work, 1)) return false;
+                if (is_hole(&f->rounds[k])) link(f, i, k, has_cone);
+            }
         }
-    }
     return true;
 }
 

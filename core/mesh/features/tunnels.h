@@ -1,6 +1,7 @@
 /* tunnels.h - mesh: tunnels through a closed surface, such as holes of any shape.
  *
- * Rule:   a connected surface with g tunnels has vertices - edges + triangles = 2 - 2 g. Each edge has two triangles.
+ * Rule:   a connected surface with g tunnels has vertices - edges + triangles = 2 - 2 g. Each edge has two triangles. A
+ *         place where several fans of triangles touch is a vertex for each of them.
  */
 #ifndef ZR_TUNNELS_H
 #define ZR_TUNNELS_H
