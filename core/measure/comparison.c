@@ -64,6 +64,15 @@ static void warn_of_alignment(const struct zr_run *run, struct zr_comparison *c)
                             c->alignment.ambiguous_count);
 }
 
+/* Returns how far apart two boxes are, as an axis tells: below 0 if they overlap. */
+static double gap_of(const struct zr_comparison *c)
+{
+    double gap = -HUGE_VAL;
+    for (int k = 0; k < 3; k++)
+        gap = fmax(gap, fmax(c->a.min[k] - c->b.max[k], c->b.min[k] - c->a.max[k]));
+    return gap;
+}
+
 static bool is_elsewhere(const struct zr_comparison *c)
 {
     const double nothing = ELSEWHERE * c->a.diagonal;
@@ -72,19 +81,20 @@ static bool is_elsewhere(const struct zr_comparison *c)
     return false;
 }
 
-/* Warns if b seems to be a itself, moved: it has the area of a in another place, or nearly, and no hole of a. */
+/* Warns if b seems to be a itself, moved: it has the area of a beside it, or elsewhere without any hole of a. */
 static void warn_of_motion(const struct zr_run *run, struct zr_comparison *c)
 {
     const double change = fabs(c->a.area - c->b.area);
     bool has[ZR_HOLE_CHANGE_KINDS] = {false};
     for (uint32_t i = 0; i < c->holes.count; i++)
         has[c->holes.at[i].kind] = true;
+    const bool has_none = c->holes.equal == 0 && !has[ZR_HOLE_CHANGED];
     if (c->align != ZR_ALIGN_NONE) return;
-    if (is_elsewhere(c) && change <= SAME_AREA * c->a.area)
+    if (change <= SAME_AREA * c->a.area && (gap_of(c) > 0.0 || (has_none && has[ZR_HOLE_MOVED] && is_elsewhere(c))))
         zr_warning_list_add(run->arena, &c->warnings,
                             "b has the area of a, but lies elsewhere: align=principal moves it if it fits");
-    else if (c->holes.equal == 0 && !has[ZR_HOLE_MOVED] && !has[ZR_HOLE_CHANGED] && has[ZR_HOLE_REMOVED] &&
-             has[ZR_HOLE_ADDED] && change <= NEAR_AREA * c->a.area)
+    else if (has_none && !has[ZR_HOLE_MOVED] && has[ZR_HOLE_REMOVED] && has[ZR_HOLE_ADDED] &&
+             change <= NEAR_AREA * c->a.area)
         zr_warning_list_add(
             run->arena, &c->warnings,
             "a and b have no hole in common, but nearly the same area: align=principal turns b if it fits");
