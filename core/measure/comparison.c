@@ -9,7 +9,7 @@
 
 enum { QUICK_RAYS = 128, QUICK_POINTS = 10000 };
 
-/* Areas of a model that is moved differ by at most this share; with other holes, by at most that. */
+/* Shares by which areas differ at most: of a model and its moved copy, and of a model and a copy with changes. */
 #define SAME_AREA 1e-3
 #define NEAR_AREA 0.05
 

@@ -1,7 +1,7 @@
 /* isal_level1.c - the match search of ISA-L's level 1, in C: the same streams as those of its x86 assembler code.
  *
- * ISA-L's own C code for other processors selects other matches, so a PNG of the module would have other bytes than one
- * of the command. This file replaces that code in the module.
+ * The C code of ISA-L selects other matches than its x86 code: PNG files would differ from those of the command. The
+ * module is built with this file in place of the C code.
  *
  * Source: ISA-L 2.30 and 2.31, igzip_icf_body_h1_gr_bt.asm and igzip_icf_finish.asm, whose order of reads and writes of
  *         the hash table it repeats. Copyright 2011-2016 Intel Corporation, BSD 3-clause licence.
